@@ -36,7 +36,7 @@ mod tests {
     }
 
     #[test]
-    fn files_in_folders_say_what_they_are() {
+    fn files_in_folders_have_their_content_types() {
         for (path, expected) in [
             ("/vendor/three/three.js", "text/javascript; charset=utf-8"),
             ("/vendor/uplot/uplot.css", "text/css; charset=utf-8"),

@@ -78,7 +78,7 @@ for (const [size, viewport] of Object.entries(SIZES)) {
   }
 }
 
-test("on a phone nothing hangs over the edge, and STOP ALL is the largest thing, within reach of a thumb", async () => {
+test("on a phone nothing extends beyond the screen, and STOP ALL is the largest element, within reach of a thumb", async () => {
   const members = crowd(30);
   const { page } = await open(members, { viewport: SIZES.phone, hasTouch: true, isMobile: true, submitted: queue(members) });
   await page.waitForSelector(".tile");
@@ -107,7 +107,7 @@ test("on a phone nothing hangs over the edge, and STOP ALL is the largest thing,
   }
 });
 
-test("arrow keys lead from tile to tile, Enter opens one, and Escape stops all from anywhere", async () => {
+test("arrow keys move from tile to tile, Enter opens one, and Escape stops all from anywhere", async () => {
   const { page, station } = await open(crowd(30));
   await page.waitForSelector(".tile");
   await page.focus(".tile .name[tabindex='0']");
@@ -137,7 +137,7 @@ test("arrow keys lead from tile to tile, Enter opens one, and Escape stops all f
   assert.deepEqual(stops(station).map(({ body }) => body.to), ["all"]);
 });
 
-test("each STOP of the board acts on the press: of a finger that moves, slides off, or is not the only one, and of a mouse", async () => {
+test("each STOP of the board acts on the press of a mouse and of a finger that moves, slides off, or is not the only one", async () => {
   const { page, station } = await open(crowd(3), { viewport: SIZES.tablet, hasTouch: true });
   await page.click(".tile[data-member=desk-2] .name");
   const fingers = await hand(page);
@@ -157,7 +157,7 @@ test("each STOP of the board acts on the press: of a finger that moves, slides o
   }
 });
 
-test("who did not answer a stop is told with the way to his page, and a second press asks again", async () => {
+test("a station that did not answer a stop is shown with a link to its page, and a second press asks again", async () => {
   const members = [member("desk-1", { here: true }), member("desk-3", { presence: { type: "away" }, page: "http://desk-3.lab:8642/" }), member("desk-7", { presence: { type: "away" }, page: "javascript:alert(1)" })];
   const { page, station } = await open(members);
   await page.waitForSelector(".tile");
@@ -171,7 +171,7 @@ test("who did not answer a stop is told with the way to his page, and a second p
   assert.equal(stops(station).length, 2);
 });
 
-test("a token that the station does not know keeps nobody from a stop", async () => {
+test("an unknown token prevents no stop", async () => {
   const answer = ({ token, path }) => (token === "wrong" && path === "/api/v1/fleet/stop" ? { status: 401, body: DENIED } : undefined);
   const { page, station } = await open([member("desk-1", { here: true })], { answer });
   await page.waitForSelector(".tile");
@@ -181,7 +181,7 @@ test("a token that the station does not know keeps nobody from a stop", async ()
   assert.deepEqual(stops(station).map(({ token }) => token), ["wrong", null]);
 });
 
-test("where the fleet cannot be asked, the arm of this station is stopped at least", async () => {
+test("if the fleet cannot be reached, at least the arm of this station is stopped", async () => {
   const ending = { type: "/api/v1/problems/ending", title: "the station is shutting down", status: 503, detail: "the station leaves its fleet" };
   const answer = ({ path }) => (path === "/api/v1/fleet/stop" ? { status: 503, body: ending } : undefined);
   const { page, station } = await open([member("desk-1", { here: true })], { answer });
@@ -193,7 +193,7 @@ test("where the fleet cannot be asked, the arm of this station is stopped at lea
   assert.equal(asked(station, "/api/v1/stop").length, 1);
 });
 
-test("a STOP that nothing answers is told in red, asked for again, and stops the arm of this station over another connection", async () => {
+test("an unanswered STOP is shown in red, sent again, and stops the arm of this station over another connection", async () => {
   const { page } = await open([member("desk-1", { here: true })]);
   await page.waitForSelector(".tile");
   await page.route("**/api/v1/fleet/stop", () => {});
@@ -205,7 +205,7 @@ test("a STOP that nothing answers is told in red, asked for again, and stops the
   await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("1 of 1 stopped."));
 });
 
-test("a station that wants a token is told in its own words, and the token that is given goes along", async () => {
+test("a station that requires a token is shown in its own words, and the given token is sent along", async () => {
   const answer = ({ token, path }) => (token === "secret" || !path.startsWith("/api/v1/fleet") ? undefined : { status: 401, body: DENIED });
   const { page, station } = await open([member("desk-1", { here: true })], { answer });
   await page.waitForSelector("#denied");
@@ -217,7 +217,7 @@ test("a station that wants a token is told in its own words, and the token that 
   assert.equal(station.asked.at(-1).token, "secret");
 });
 
-test("eyes on me and a message go to the group that is shown, or to all", async () => {
+test("eyes on me and a message go to the displayed group, or to all", async () => {
   const { page, station } = await open([member("desk-1", { here: true, groups: ["room-1"] }), member("desk-2", { groups: ["room-2"], lock: { by: "Ms Lee", message: "eyes on me", at_s: 3 } })]);
   await page.waitForSelector(".tile");
   const requests = () => asked(station, "/api/v1/fleet/requests").map(({ body }) => body);
@@ -236,7 +236,7 @@ test("eyes on me and a message go to the group that is shown, or to all", async 
   assert.deepEqual(requests().at(-1), { to: { group: "room-2" }, method: "DELETE", path: "/api/v1/lock" });
 });
 
-test("a text and a group show some of the tiles; STOP ALL stops all of them", async () => {
+test("a text and a group filter the tiles; STOP ALL stops all of them", async () => {
   const { page, station } = await open(crowd(30));
   await page.waitForSelector(".tile");
   await page.fill("#filter", "desk-3");
@@ -254,7 +254,7 @@ test("a text and a group show some of the tiles; STOP ALL stops all of them", as
   await page.waitForSelector("#none");
 });
 
-test("who has control is told with for how long, and who asks for it", async () => {
+test("the lease holder is shown with the duration, and so is the requester", async () => {
   const lease = { client: 2, name: "Anna", is_program: false, since_s: 10 - 95, asked_by: [{ client: 3, name: "Ben" }, { client: 4, name: "Chen" }] };
   const { page } = await open([member("desk-1", { here: true, lease }), member("desk-2")]);
   await page.waitForSelector(".tile");
@@ -265,7 +265,7 @@ test("who has control is told with for how long, and who asks for it", async () 
   assert.deepEqual(facts.slice(0, 2), [["Control", "Anna, for 1 min 35 s"], ["Requests control", "Ben, Chen"]]);
 });
 
-test("whose time it is stands on the tile, beside an administrator who has control meanwhile", async () => {
+test("the student of the slot is shown on the tile, beside an administrator who has control meanwhile", async () => {
   const lease = (name) => ({ client: 2, name, is_program: false, since_s: 1, asked_by: [] });
   const { page } = await open([member("desk-1", { here: true, ...time("Anna"), lease: lease("anna") }), member("desk-2", { ...time("Ben", 30), lease: lease("Ms Lee") }), member("desk-3", time("Chen"))]);
   await page.waitForSelector(".tile");
@@ -274,7 +274,7 @@ test("whose time it is stands on the tile, beside an administrator who has contr
   await page.waitForFunction(() => document.querySelectorAll(".tile").length === 1);
 });
 
-test("names are dealt over the arms of a group in turn, are listed there, and are ended", async () => {
+test("names are distributed over the arms of a group in turn, are listed there, and are removed", async () => {
   const groups = ["room-1"];
   const { page, station } = await open([member("desk-1", { here: true, groups, ...time("Zoë") }), member("desk-2", { groups }), member("desk-3", { groups: ["room-2"] }), member("desk-4", { groups, presence: { type: "away" } })]);
   await page.waitForSelector(".tile");
@@ -303,7 +303,7 @@ test("names are dealt over the arms of a group in turn, are listed there, and ar
   assert.deepEqual(requests("PUT").at(-1).body.slots, [{ student: "Mia", group: "room-1", starts_in_s: 0, ends_in_s: 900 }]);
 });
 
-test("why a station gives no time is told in its own words, and the names stay", async () => {
+test("a refusal of slots is shown in the station's words, and the names stay", async () => {
   const wrong = { type: "/api/v1/problems/bad-slots", title: "the time slots cannot be so", status: 422, detail: "ends_in_s of Anna is 90000; allowed is 1 to 86400" };
   const answer = ({ body }) => (body?.method === "PUT" ? { body: [{ member: "desk-1", id: "1", answer: { status: 422, body: wrong }, took_ms: 1 }] } : undefined);
   const { page } = await open([member("desk-1", { here: true })], { answer });
@@ -315,7 +315,7 @@ test("why a station gives no time is told in its own words, and the names stay",
   assert.equal(await page.inputValue("#slots-group [name=names]"), "Anna");
 });
 
-test("who takes a lesson is on the tile with the step, and who is stuck can be shown alone", async () => {
+test("a student in a lesson is on the tile with the step, and stuck ones can be shown alone", async () => {
   const { page } = await open(crowd(12));
   await page.waitForSelector(".tile[data-member=desk-3] .learner");
   assert.equal(await text(page, ".tile[data-member=desk-3] .learner"), "Mia Tour (5 minutes) step 4 of 12 for 12 s");
@@ -329,7 +329,7 @@ test("who takes a lesson is on the tile with the step, and who is stuck can be s
 
 for (const [size, viewport] of Object.entries(SIZES)) {
   for (const arms of [5, 12, 30]) {
-    test(`of ${arms} tiles on a ${size} none moves whatever another one has to tell, and all of it fits`, async () => {
+    test(`on a ${size}, none of ${arms} tiles moves when another one changes, and all of it fits`, async () => {
       const idle = crowd(arms).map((it) => ({ ...it, presence: { type: "present" }, state: { ...it.state, job: null, lease: null } }));
       const [first, second, third, fourth, fifth, ...others] = idle;
       const learners = [learner("Anna", 2), learner("Wolfeschlegelsteinhausenbergerdorff", 4, 431)];
@@ -353,7 +353,7 @@ for (const [size, viewport] of Object.entries(SIZES)) {
   }
 }
 
-test("a board that has lost its station says so above all else, and goes on by itself", async () => {
+test("a board that has lost its station shows that prominently, and recovers by itself", async () => {
   const { page, station } = await open([member("desk-1", { here: true })]);
   await page.waitForSelector(".tile");
   station.cut();
@@ -362,7 +362,7 @@ test("a board that has lost its station says so above all else, and goes on by i
   assert.ok(asked(station, "/api/v1/fleet/events").length > 1);
 });
 
-test("a station that belongs to no fleet says how one is joined", async () => {
+test("a station without a fleet explains how to join one", async () => {
   const answer = ({ path }) => (path === "/api/v1/fleet" ? { status: 404, body: { type: "/api/v1/problems/no-fleet", title: "this station belongs to no fleet", status: 404, detail: "this station belongs to no fleet" } } : undefined);
   const { page } = await open([], { answer });
   await page.waitForSelector("#alone");

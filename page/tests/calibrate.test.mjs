@@ -64,7 +64,7 @@ async function stand(place) {
   }, { base_deg, rear_deg, fore_deg });
 }
 
-test("a person finds the zeros of an arm, sees what would be kept, keeps it, and takes it back", async () => {
+test("a person finds the zeros of an arm, sees the result, saves it, and undoes it", async () => {
   await page.click("#tab-set_up");
   await waitForText("calibrate-known", "Not calibrated");
   assert.equal(await page.isDisabled("#calibrate-before"), true);
@@ -129,7 +129,7 @@ test("a person finds the zeros of an arm, sees what would be kept, keeps it, and
   assert.deepEqual((await known()).calibration.zeros, zeros);
 });
 
-test("the arm is told its angles with its base straight ahead, and a reset makes touches worthless", async () => {
+test("the arm gets its angles with its base straight ahead, and a reset makes touches void", async () => {
   await ask("DELETE", "api/v1/lease");
   lease = undefined;
   await page.click("#calibrate-angles");

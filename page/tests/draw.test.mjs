@@ -44,7 +44,7 @@ async function ink() {
   return points.length ? [ends(0), ends(1)] : null;
 }
 
-test("a file that is dropped is planned, moved by hand, and drawn where it was put", async () => {
+test("a dropped file is planned, moved by hand, and drawn at its place", async () => {
   await drop("square.svg", SVG);
   await waitForText("Takes ");
   const box = await page.locator("#sheet-move").boundingBox();
@@ -64,14 +64,14 @@ test("a file that is dropped is planned, moved by hand, and drawn where it was p
   for (const [found, wanted] of [[xs[0], x - 10], [xs[1], x + 10], [ys[0], y - 10], [ys[1], y + 10]]) assert.ok(Math.abs(found - wanted) < 0.6, `${found} is not near ${wanted}`);
 });
 
-test("a file that is no drawing is told, and nothing can be started", async () => {
+test("a file that is not a drawing is reported, and nothing can be started", async () => {
   await drop("letter.svg", "Dear all,");
   await page.waitForSelector("#draw-status[data-tone=bad]");
   assert.match(await page.textContent("#draw-status"), /xml/i);
   assert.ok(await page.isDisabled("#draw-start"));
 });
 
-test("a file of 100 MB is refused with what to do, and the page goes on", async () => {
+test("a file of 100 MB is refused with a remedy, and the page continues", async () => {
   await page.evaluate(() => {
     const files = new DataTransfer();
     files.items.add(new File([new Uint8Array(100_000_000)], "huge.png"));
@@ -82,7 +82,7 @@ test("a file of 100 MB is refused with what to do, and the page goes on", async 
   await waitForText("Takes ");
 });
 
-test("a place out of reach is told, and the way back is free", async () => {
+test("a place out of reach is reported, and the drawing can be moved back", async () => {
   await page.fill("#draw-x", "500");
   await page.waitForSelector("#draw-status[data-tone=bad]");
   assert.ok(await page.isDisabled("#draw-start"));
@@ -90,7 +90,7 @@ test("a place out of reach is told, and the way back is free", async () => {
   await waitForText("Takes ");
 });
 
-test("a plan that takes long is given up, and the statuses come as before meanwhile", async () => {
+test("a plan that takes too long is cancelled, and the statuses arrive as usual meanwhile", async () => {
   const dots = Array.from({ length: 60_000 }, (_, n) => `<path d="M${(n % 245) * 0.4} ${Math.floor(n / 245) * 0.4}h.2" stroke="#${String(n % 1000).padStart(3, "0")}"/>`).join("");
   await drop("long.svg", `<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100">${dots}</svg>`);
   await page.waitForSelector("#draw-cancel");

@@ -135,7 +135,7 @@ async function listen(name) {
   return { packets, end: () => ending.abort() };
 }
 
-test("each station of the fleet has a tile, in the section of its group, with its name and who has control", async () => {
+test("each station of the fleet has a tile, in the section of its group, with its name and lease holder", async () => {
   for (const name of stations.keys()) await page.waitForSelector(`${tile(name)}[data-presence=present]`);
   const sections = await page.$$eval("section.group", (all) => all.map((it) => [it.querySelector("[data-stop-group]").dataset.stopGroup, [...it.querySelectorAll(".name")].map((name) => name.textContent)]));
   assert.deepEqual(sections, [["room-1", ["desk-1", "desk-2"]], ["room-2", ["desk-3"]]]);
@@ -143,7 +143,7 @@ test("each station of the fleet has a tile, in the section of its group, with it
   assert.equal(await page.textContent(`${tile("desk-2")} .who`), "nobody has control");
 });
 
-test("a jog shows on the tile of its arm alone, and STOP ALL stops every arm while the button is held", async () => {
+test("a jog is shown on the tile of its arm alone, and STOP ALL stops every arm while the button is held", async () => {
   await page.click(`${tile("desk-2")} .name`);
   await page.waitForSelector("#details-title");
   const [before, other] = [await picture("desk-2"), await picture("desk-3")];
@@ -174,7 +174,7 @@ test("a jog shows on the tile of its arm alone, and STOP ALL stops every arm whi
   traffic.end();
 });
 
-test("without a token the other stations let nobody more than watch and stop, and the board says so and asks for one", async () => {
+test("without a token the other stations allow only watching and stopping, and the board shows that and asks for one", async () => {
   await page.click("#details-reset");
   await page.click("#confirm-yes");
   await page.waitForSelector("#denied");
@@ -185,7 +185,7 @@ test("without a token the other stations let nobody more than watch and stop, an
   await page.waitForSelector("#denied", { state: "detached" });
 });
 
-test("a person lets them move again, one by one or all, after a question", async () => {
+test("a person resets the stops, one by one or all, after a question", async () => {
   await page.click("#details-reset");
   assert.match(await page.textContent("#confirm-text"), /^desk-2: look at each arm first/);
   await page.click("#confirm-yes");
@@ -197,7 +197,7 @@ test("a person lets them move again, one by one or all, after a question", async
   for (const name of stations.keys()) await waitForAnswer(name, "api/v1/state", ({ stop }) => stop === null);
 });
 
-test("whoever has no arm is given a virtual one, moves it on its own page, and it is gone from the board when a person ends it", async () => {
+test("a person without an arm gets a virtual one, moves it on its own page, and it leaves the board when it is ended", async () => {
   await page.click("#arm-open");
   await page.fill("#arm-name", " Zoë B. ");
   await page.click("#arm-give");
@@ -237,7 +237,7 @@ test("Escape stops all, and the button of a group stops its arms alone", async (
   for (const name of stations.keys()) await waitForAnswer(name, "api/v1/state", ({ stop }) => stop === null);
 });
 
-test("the job of an arm is on its tile, and it is paused, gone on with and ended from the board", async () => {
+test("the job of an arm is on its tile, and it is paused, resumed and cancelled from the board", async () => {
   const there = { type: "move_to", x_mm: 200, y_mm: -80, z_mm: 30, rotation_deg: 0, suction: false, mode: "movj", gripper_deg: 0, pause_s: 0.5 };
   const back = { ...there, y_mm: 80 };
   await ask("desk-2", "api/v1/jobs", { title: "there and back", kind: "program", commands: Array.from({ length: 40 }, (_, n) => (n % 2 ? back : there)) });
@@ -253,7 +253,7 @@ test("the job of an arm is on its tile, and it is paused, gone on with and ended
   await waitForAnswer("desk-2", "api/v1/state", ({ job }) => job === null);
 });
 
-test("eyes on me holds every arm, and its own page says who and why; a message appears there too", async () => {
+test("eyes on me holds every arm, and its own page shows who and why; a message appears there too", async () => {
   const own = await visit("desk-2");
   await page.fill("#lesson-text", "eyes on me");
   await page.click("#lock");
@@ -271,7 +271,7 @@ test("eyes on me holds every arm, and its own page says who and why; a message a
   await own.context().close();
 });
 
-test("in a time slot its student alone has the arm, the others see whose it is and when it is free, and a class says who it is", async () => {
+test("in a time slot only its student has the arm, the others see the student and the end, and a client with a shared token can say who it is", async () => {
   await page.fill("#slots-arm [name=names]", "Anna\nChen");
   await page.click("#slots-arm [type=submit]");
   await page.waitForFunction(() => document.querySelector(".tile[data-member=desk-2] .who").textContent.startsWith("Anna: 1"));
@@ -314,7 +314,7 @@ test("in a time slot its student alone has the arm, the others see whose it is a
   for (const it of [anna, ben, mate]) await it.context().close();
 });
 
-test("a student who takes a lesson says a name once, and the board shows the lesson and the step", async () => {
+test("a student in a lesson enters a name once, and the board shows the lesson and the step", async () => {
   const own = await visit("desk-2");
   await own.waitForSelector("#fleet");
   await own.click("#first-tour");
@@ -335,14 +335,14 @@ test("a student who takes a lesson says a name once, and the board shows the les
   await own.context().close();
 });
 
-test("what an arm has drawn is saved as a picture", async () => {
+test("the drawing of an arm is saved as a picture", async () => {
   const saving = page.waitForEvent("download");
   await page.click("#details-drawing");
   const saved = await saving;
   assert.equal(saved.suggestedFilename(), "desk-2.svg");
 });
 
-test("a second station of a name is told on both tiles, and a stop reaches both", async () => {
+test("a second station of the same name is reported on both tiles, and a stop reaches both", async () => {
   const twin = await beginStation("desk-2", router.at, "another");
   stations.set("another", twin);
   await page.waitForFunction(() => [...document.querySelectorAll(".tile[data-member=desk-2] .why")].filter((it) => it.textContent.startsWith("2 stations use the name desk-2.")).length === 2);
@@ -354,7 +354,7 @@ test("a second station of a name is told on both tiles, and a stop reaches both"
   await page.waitForFunction(() => document.querySelectorAll(".tile[data-member=desk-2][data-presence=present]").length === 1);
 });
 
-test("without the router the others are away, the arm of the board still stops, and all come back with the router", async () => {
+test("without the router the others are away, the arm of the board still stops, and all return with the router", async () => {
   await end(router.child, "SIGKILL");
   for (const name of ["desk-2", "desk-3"]) await page.waitForSelector(`${tile(name)}[data-presence=away]`);
   for (const name of stations.keys()) await fetch(new URL("api/v1/stop", stations.get(name).url), { method: "DELETE" });
@@ -367,7 +367,7 @@ test("without the router the others are away, the arm of the board still stops, 
   for (const name of ["desk-2", "desk-3"]) await page.waitForSelector(`${tile(name)}[data-presence=present]`);
 });
 
-test("a station that is killed is grey, and a stop says that it did not answer", async () => {
+test("a killed station is grey, and a stop reports that it did not answer", async () => {
   const { child, url } = stations.get("desk-3");
   await end(child, "SIGKILL");
   stations.delete("desk-3");
@@ -380,14 +380,14 @@ test("a station that is killed is grey, and a stop says that it did not answer",
   assert.equal(new URL(await page.getAttribute(`${tile("desk-3")} .why a`, "href")).port, new URL(url).port);
 });
 
-test("the page of a station leads to the board", async () => {
+test("the page of a station links to the board", async () => {
   const own = await visit("desk-1");
   await own.click("#fleet");
   await own.waitForSelector(".tile");
   await own.context().close();
 });
 
-test("a board whose station is gone says how old it is, and goes on with the next one", async () => {
+test("a board without its station shows the age of its data, and continues with the next station", async () => {
   const { child } = stations.get("desk-1");
   await end(child, "SIGKILL");
   stations.delete("desk-1");

@@ -32,7 +32,7 @@ function toldOfButtons() {
   return texts.filter((text, index) => text !== texts[index - 1]);
 }
 
-test("each button that is pressed moves the arm for as long as it is held, also the first time after another one", async () => {
+test("each pressed button moves the arm for as long as it is held, also the first time after another one", async () => {
   for (const [axis, name] of [["y_minus", "y_mm"], ["x_minus", "x_mm"], ["z_plus", "z_mm"], ["y_plus", "y_mm"]]) {
     from = traffic.packets.length;
     await press(page, axis);
@@ -43,7 +43,7 @@ test("each button that is pressed moves the arm for as long as it is held, also 
   }
 });
 
-test("a second press at once and a quick reversal are no errors, and both move the arm", async () => {
+test("an immediate second press and a quick reversal are accepted, and both move the arm", async () => {
   await press(page, "y_plus");
   await moved(page, "y_mm", 8);
   await page.mouse.up();
@@ -59,7 +59,7 @@ test("a second press at once and a quick reversal are no errors, and both move t
   assert.equal(await page.isVisible("#problem"), false);
 });
 
-test("at a limit the button is let go once, and the reason stands beside it", async () => {
+test("at a limit the button is released once, and the reason is shown beside it", async () => {
   const box = await page.locator("[data-axis=z_minus]:visible").boundingBox();
   await press(page, "z_minus");
   await page.waitForFunction(() => document.querySelector("#jog-why").textContent.includes("table"), undefined, { timeout: 20_000 });
@@ -75,7 +75,7 @@ test("at a limit the button is let go once, and the reason stands beside it", as
   assert.deepEqual(toldOfButtons(), [AXES.z_minus, RELEASED]);
 });
 
-test("a page that is blocked for 3 s lets go at once, and does not move the arm again when it wakes", async () => {
+test("a page that is blocked for 3 s releases at once, and does not move the arm again when it wakes", async () => {
   await bench.setDeadMan();
   await press(page, "y_plus");
   await moved(page, "y_mm", 5);
@@ -94,7 +94,7 @@ test("a page that is blocked for 3 s lets go at once, and does not move the arm 
   await moved(page, "y_mm", 3);
 });
 
-test("a window that loses the focus and a tab that is hidden let go", async () => {
+test("a window that loses the focus and a hidden tab release the button", async () => {
   await press(page, "x_plus");
   await moved(page, "x_mm", 3);
   await page.evaluate(() => window.dispatchEvent(new Event("blur")));
@@ -102,7 +102,7 @@ test("a window that loses the focus and a tab that is hidden let go", async () =
   assert.deepEqual(toldOfButtons(), [AXES.x_plus, RELEASED]);
 });
 
-test("an error of something else moves nothing that is under the pointer", async () => {
+test("an unrelated error does not move the layout under the pointer", async () => {
   // So tall that nothing has to be scrolled.
   await page.setViewportSize({ width: 1130, height: 1800 });
   await page.click("#voice > summary");

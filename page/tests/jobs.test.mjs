@@ -30,7 +30,7 @@ const listed = async () => (await bench.ask("api/v1/jobs")).map(({ job }) => job
 /** Where the arm was sent in Y, from a packet on. */
 const ys = (from) => traffic.targets(from).map((it) => Math.round(it[1]));
 
-test("what others queued stands there in its order, and is put in another one", async () => {
+test("jobs queued by others are shown in their order, and can be reordered", async () => {
   const [one, two] = [await queue("the first", 10, -10), await queue("the second", 30)];
   await waitForText(two, "queued");
   assert.ok(await page.isDisabled(`${entry(one)} [data-act=up]`), "the first one cannot come earlier");
@@ -39,7 +39,7 @@ test("what others queued stands there in its order, and is put in another one", 
   assert.deepEqual(await listed(), [two, one]);
 });
 
-test("a job is started, the arm goes where it says, and it is done again", async () => {
+test("a job is started, the arm goes to its target, and it is run again", async () => {
   const [, job] = await listed();
   const from = traffic.packets.length;
   await act(job, "start");
@@ -53,7 +53,7 @@ test("a job is started, the arm goes where it says, and it is done again", async
   assert.deepEqual(all.map(({ title, phase }) => [title, phase]), [["the second", "queued"], ["the first", "done"], ["the first", "done"]]);
 });
 
-test("a job under way is paused, gone on with and ended, and its progress is seen meanwhile", async () => {
+test("a running job is paused, resumed and cancelled, and its progress is visible meanwhile", async () => {
   const job = await queue("to and fro", ...Array.from({ length: 40 }, (_, n) => (n % 2 ? 40 : -40)));
   await waitForText(job, "queued");
   await act(job, "start");
@@ -69,7 +69,7 @@ test("a job under way is paused, gone on with and ended, and its progress is see
   assert.ok(ys(0).length < 40, "most of it was not sent");
 });
 
-test("what is over is forgotten, and a refusal stands at its job", async () => {
+test("finished jobs are deleted, and a refusal is shown at its job", async () => {
   const [waiting, done] = await listed();
   await rest(page);
   await passed(page, 0.4);
@@ -82,7 +82,7 @@ test("what is over is forgotten, and a refusal stands at its job", async () => {
   await page.waitForSelector(`${entry(waiting)} .status[data-tone=bad]`);
 });
 
-test("a recording is scrubbed on the stage, says that it is one, and gives the arm back", async () => {
+test("a recording is scrubbed on the stage, is marked as one, and the live arm returns after it", async () => {
   await page.click("#tab-move");
   if (await page.isVisible("#reset")) {
     await page.click("#reset");
@@ -110,7 +110,7 @@ test("a recording is scrubbed on the stage, says that it is one, and gives the a
   assert.equal(await pose(page, "y_mm"), Number(now.toFixed(1)));
 });
 
-test("a recording plays by itself, and is handed out as the file that it is", async () => {
+test("a recording plays by itself, and is downloaded unchanged", async () => {
   await page.click("[data-recording] [data-act=show]");
   await page.waitForSelector("#player");
   await page.check("[name=player-speed][value='64']", { force: true });
@@ -123,7 +123,7 @@ test("a recording plays by itself, and is handed out as the file that it is", as
   await page.click("#recorded-end");
 });
 
-test("a long recording is told coarsely at first, and finely around the moment that is chosen", async () => {
+test("a long recording is shown coarsely at first, and finely around the selected moment", async () => {
   const name = await page.getAttribute("[data-recording]", "data-recording");
   const { samples } = await bench.ask(`api/v1/recordings/${name}/states?most=5000`);
   const far = samples.reduce((far, it) => (it.y_mm > far.y_mm ? it : far));
@@ -150,7 +150,7 @@ async function jog(key) {
   await passed(page, 0.4);
 }
 
-test("every packet to the arm is shown and exported as it was sent, and the list stands still while it is paused", async () => {
+test("every packet to the arm is shown and exported as it was sent, and the list does not move while it is paused", async () => {
   let asked = 0;
   page.on("request", (request) => (asked += Number(request.url().endsWith("/packets"))));
   await page.click("#tab-watch");

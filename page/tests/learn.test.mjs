@@ -77,7 +77,7 @@ test("the tour leads from the first motion to a drawing and a refusal", async ()
   await page.waitForSelector("#lesson", { state: "detached" });
 });
 
-test("a lesson asks for a number, and goes on when it is right", async () => {
+test("a lesson asks for a number, and continues when it is correct", async () => {
   await page.click("#tab-set_up");
   await page.click("#lessons-open");
   await page.click("[data-lesson=kinematics]");

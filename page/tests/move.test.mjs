@@ -54,7 +54,7 @@ test("a joint moves by one degree with Enter on its button", async () => {
   await at("base_deg", base_deg + 1);
 });
 
-test("a step that is refused moves nothing, and the reason stands beside the buttons", async () => {
+test("a refused step moves nothing, and the reason is shown beside the buttons", async () => {
   await choose("step", 10);
   const before = await pose(page, "z_mm");
   const why = page.locator("#jog-why");
@@ -72,7 +72,7 @@ test("a step that is refused moves nothing, and the reason stands beside the but
   await page.click("[data-axis=z_plus]");
 });
 
-test("arrow keys on the stage jog for as long as they are held, and leaving the stage lets go", async () => {
+test("arrow keys on the stage jog for as long as they are held, and leaving the stage releases them", async () => {
   const y_mm = await pose(page, "y_mm");
   await page.focus("#stage");
   await page.keyboard.down("ArrowLeft");
@@ -88,7 +88,7 @@ test("arrow keys on the stage jog for as long as they are held, and leaving the 
   await page.keyboard.up("PageUp");
 });
 
-test("Space stops where a button was clicked, and presses the button that the keyboard has chosen", async () => {
+test("Space stops after a click on a button, and presses the button that has the keyboard focus", async () => {
   await choose("step", 1);
   await page.click("[data-axis=x_minus]");
   await rest(page);
@@ -102,14 +102,14 @@ test("Space stops where a button was clicked, and presses the button that the ke
   await page.waitForFunction(() => !document.querySelector("[data-axis=x_plus]").disabled);
 });
 
-test("the pump goes on and off by its buttons", async () => {
+test("the pump is switched on and off by its buttons", async () => {
   await page.click("#suction-on");
   await waitForText("suction", "on");
   await page.click("#suction-off");
   await waitForText("suction", "off");
 });
 
-test("the gripper goes to the angle that is typed, and the arm stays where it is", async () => {
+test("the gripper goes to the typed angle, and the arm does not move", async () => {
   const x_mm = await pose(page, "x_mm");
   await page.fill("#grip-deg", "45");
   await page.click("#grip button");
@@ -125,7 +125,7 @@ test("an angle beyond 90 degrees is not sent", async () => {
   assert.equal(states().has(6), false);
 });
 
-test("the tool that is mounted is told to the arm", async () => {
+test("the mounted tool is sent to the arm", async () => {
   await page.click("[data-mount=gripper]");
   await waitForAnswer(page, "api/v1/state", ({ queue }) => queue.under_way === 0);
   const configured = traffic.packets.slice(from).filter(({ floats: [state, mode] }) => state === 9 && mode === 4);
@@ -133,7 +133,7 @@ test("the tool that is mounted is told to the arm", async () => {
   await page.click("[data-mount=suction_cup]");
 });
 
-test("a word that is typed with a space, and a word that is clicked, move the arm by what they say", async () => {
+test("a typed word with a space and a clicked word move the arm as they say", async () => {
   const y_mm = await pose(page, "y_mm");
   await unfold("voice");
   await page.click("#say-text");
@@ -146,7 +146,7 @@ test("a word that is typed with a space, and a word that is clicked, move the ar
   assert.equal(await page.isVisible("#stopped"), false);
 });
 
-test("speeds that are set are told to the arm", async () => {
+test("speeds are sent to the arm", async () => {
   await unfold("speeds");
   await page.fill("#speed-percent", "60");
   await page.fill("#acceleration-percent", "70");
@@ -155,14 +155,14 @@ test("speeds that are set are told to the arm", async () => {
   assert.deepEqual(adjusted.floats.slice(2, 4), [60, 70]);
 });
 
-test("home brings the joints to where a stock arm begins", async () => {
+test("home moves the joints to the power-up pose of a stock arm", async () => {
   await page.click("#home");
   await at("rear_deg", 45);
   await at("fore_deg", 45);
   await at("base_deg", 0);
 });
 
-test("a pointer that is dragged on the mouse pad moves the arm by mouse packets, and few follow its release", async () => {
+test("dragging the pointer on the mouse pad moves the arm by mouse packets, and few follow the release", async () => {
   await unfold("pads");
   const x_mm = await pose(page, "x_mm");
   await page.locator("#mouse-pad").scrollIntoViewIfNeeded();
@@ -178,7 +178,7 @@ test("a pointer that is dragged on the mouse pad moves the arm by mouse packets,
   assert.ok(traffic.packets.filter(({ floats: [state] }) => state === 1).length - released <= 2);
 });
 
-test("a pointer that is held on the hand pad leads the arm to its place by gestures", async () => {
+test("holding the pointer on the hand pad guides the arm to its place by gestures", async () => {
   await unfold("pads");
   await page.locator("#hand-pad").scrollIntoViewIfNeeded();
   const box = await page.locator("#hand-pad").boundingBox();
@@ -213,7 +213,7 @@ test("a stick of a gamepad jogs while the shoulder button is held, and a face bu
   await page.waitForSelector("#stopped", { state: "detached" });
 });
 
-test("the laser is armed after a question, its countdown stands in the strip, and STOP disarms it", async () => {
+test("the laser is armed after a question, its countdown is in the strip, and STOP disarms it", async () => {
   await page.click("#arm-laser");
   await page.click("#confirm-yes");
   await waitForText("laser-chip", "armed");

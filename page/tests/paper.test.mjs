@@ -33,7 +33,7 @@ async function stand(place) {
   await page.click("#tab-set_up");
 }
 
-test("three touches tell how the paper lies, and it is kept when a person says so", async () => {
+test("three touches give the plane of the paper, and it is saved after a confirmation", async () => {
   await page.click("#tab-set_up");
   await waitForText("paper-known", "Not measured");
   await page.click("#paper-begin");
@@ -50,7 +50,7 @@ test("three touches tell how the paper lies, and it is kept when a person says s
   assert.ok(Math.abs(paper.slope_x - 1 / 20) < 0.002 && Math.abs(paper.slope_y + 1 / 40) < 0.002, JSON.stringify(paper));
 });
 
-test("what is drawn then follows the paper", async () => {
+test("later drawings follow the paper", async () => {
   await page.click("#tab-draw");
   await page.check("#draw-title ~ .segments input[value=text]", { force: true });
   await page.fill("#draw-text", "I");
@@ -72,7 +72,7 @@ test("what is drawn then follows the paper", async () => {
   for (const [x, y, z] of drawn) assert.ok(Math.abs(z - (x / 20 - y / 40)) < 0.05, `${x} ${y} ${z}`);
 });
 
-test("paper that is taken to be level is drawn on as before", async () => {
+test("paper that is assumed to be level is drawn on as before", async () => {
   await page.click("#tab-set_up");
   await page.click("#paper-forget");
   await waitForText("paper-known", "Not measured");

@@ -41,7 +41,7 @@ async function open(submitted, answer) {
 const entry = (id) => `#queue [data-work^=${id}]`;
 const text = (page, selector) => page.textContent(selector).then((it) => it.replace(/\s+/g, " ").trim());
 
-test("each entry says whose it is, what it needs, which arm has it and how far that one is", async () => {
+test("each entry shows its student, its needs, its arm and the progress of that arm", async () => {
   const job = { job: 4, title: "x", kind: "drawing", phase: "running", commands: 100, completed: 40 };
   const { page } = await open([work("a1", "taken", { ...of(1), group: "room-2", job }), work("a2", "waiting", { reason: "desk-1: the drawing is out of reach" })]);
   assert.match(await text(page, `${entry("a1")} .whose`), /^Anna \(room-2\) · needs pen · submitted /);
@@ -51,7 +51,7 @@ test("each entry says whose it is, what it needs, which arm has it and how far t
   assert.equal(await page.textContent("#queue-open"), "Queue: 2");
 });
 
-test("what is in doubt says why in the station's words, and goes to another arm only after a person has said so", async () => {
+test("work in doubt shows the reason in the station's words, and goes to another arm only after a confirmation", async () => {
   const submitted = [work("a1", "offered", { ...of(1), doubt: "desk-2 cannot be reached; it may have been drawn" })];
   const answer = ({ path }) => (path.endsWith("/give") ? { body: (submitted[0] = work("a1", "waiting", { before: [{ ...of(1), drawn: "it may have been drawn", is_settled: false }] })) } : undefined);
   const { page, asked } = await open(submitted, answer);
@@ -69,7 +69,7 @@ test("what is in doubt says why in the station's words, and goes to another arm 
   assert.equal(await text(page, `${entry("a1")} .before`), "Earlier, at desk-2: it may have been drawn");
 });
 
-test("what waits is cancelled after a question; why it cannot be is told where it was asked", async () => {
+test("waiting work is cancelled after a question; a refusal is shown next to the request", async () => {
   const refused = { type: "/api/v1/problems/work-phase", title: "not now", status: 409, detail: "it is Done; what is waiting, offered or taken can be cancelled" };
   const { page, asked } = await open([work("a1", "waiting")], ({ method }) => (method === "DELETE" ? { status: 409, body: refused } : undefined));
   await page.click(`${entry("a1")} [data-act=cancel]`);
@@ -79,7 +79,7 @@ test("what waits is cancelled after a question; why it cannot be is told where i
   assert.equal(asked("DELETE", `${WORK}/${work("a1").id}`).length, 1);
 });
 
-test("a drawing is submitted with its student, its group and needs that stations have, and once though an answer is lost", async () => {
+test("a drawing is submitted with its student, its group and available needs, and only once even if an answer is lost", async () => {
   const submitted = [];
   let isLost = true;
   const answer = ({ method, path, body }) => {
@@ -119,7 +119,7 @@ test("a drawing is submitted with its student, its group and needs that stations
   assert.deepEqual(asked("POST").at(-1).body.drawing, { options: { what: { text: "Ben" }, place: { fit: false, pen_down: -40 } } });
 });
 
-test("a drawing that is dropped anywhere on the board is one to submit, and does not take the board away", async () => {
+test("a drawing dropped anywhere on the board can be submitted, and does not replace the board", async () => {
   const { page } = await open([]);
   await page.click("#queue-close");
   const files = await page.evaluateHandle(() => {
@@ -132,7 +132,7 @@ test("a drawing that is dropped anywhere on the board is one to submit, and does
   assert.equal(await page.textContent("#submit-name"), "cup.svg");
 });
 
-test("the details of an arm say what of the queue it has, and what waits that it could take", async () => {
+test("the details of an arm show its work in the queue, and the waiting work that it could accept", async () => {
   const { page } = await open([work("a1", "taken", of(1)), work("a2", "waiting", { needs: ["a5"] }), work("a3", "waiting", { needs: ["laser"] })]);
   await page.click(".tile[data-member=desk-2] .name");
   await page.waitForSelector("#details-queue");

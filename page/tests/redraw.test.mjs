@@ -72,7 +72,7 @@ async function go(y_mm) {
   await fetch(new URL("api/v1/lease", bench.url), { method: "DELETE", headers: { "dobot-lease": token } });
 }
 
-test("nothing is drawn while the arm rests, although its station tells of it all the time", async () => {
+test("nothing is drawn while the arm is at rest, although its station keeps reporting", async () => {
   await page.waitForSelector("#stage[data-shown='3d']");
   await drawn(page);
   // On a busy computer the page is not complete at once.
@@ -85,7 +85,7 @@ test("nothing is drawn while the arm rests, although its station tells of it all
   assert.equal(counts[0], counts[1], `frames, the last first: ${counts}`);
 });
 
-test("an arm that moves is drawn, 60 times in a second at most on a screen that is faster", async () => {
+test("a moving arm is drawn, at most 60 times per second on a faster screen", async () => {
   const fast = await bench.visit({ viewport: SIZE }, [quicken, countDraws]);
   await fast.waitForSelector("#stage[data-shown='3d']");
   await fast.evaluate(() => window.draws.splice(0));
@@ -99,7 +99,7 @@ test("an arm that moves is drawn, 60 times in a second at most on a screen that 
   await fast.context().close();
 });
 
-test("a page that is hidden draws nothing, and shows where the arm is when it is back", async () => {
+test("a hidden page draws nothing, and shows the current pose when it is visible again", async () => {
   await drawn(page);
   // No page of a browser without a screen is ever hidden, so that it has to be told.
   const hide = (hidden) => page.evaluate((hidden) => {

@@ -20,7 +20,7 @@ const waitForText = (page, id, part) => page.waitForFunction(([id, part]) => doc
   .catch(async (error) => assert.fail(`${error.message} ${id} says: ${await page.textContent(`#${id}`)}`));
 const THERE = { x_mm: 220, y_mm: 100, z_mm: 0 };
 
-test("a keep-out that is put in force refuses a target that was free, and is gone when it is removed", async () => {
+test("a keep-out in force refuses a target that was free, and is gone when it is removed", async () => {
   const { page, traffic } = real;
   await typeTarget(page, THERE);
   await waitForText(page, "target-status", "The path is free");
@@ -53,7 +53,7 @@ test("a keep-out that is put in force refuses a target that was free, and is gon
   await page.click("#target-clear");
 });
 
-test("the numbers of a keep-out are typed one after the other by keyboard, and show what holds when the draft is forgotten", async () => {
+test("the numbers of a keep-out are typed one after another by keyboard, and show those in force when the draft is discarded", async () => {
   const { page } = real;
   const field = (n) => page.locator(`[data-zone=zone_1] label:nth-of-type(${n}) input`);
   const written = (part) => page.waitForFunction((part) => document.querySelector("#policy-text").value.includes(part), part);
@@ -80,7 +80,7 @@ test("the numbers of a keep-out are typed one after the other by keyboard, and s
   await waitForAnswer(page, "api/v1/policy", ({ keep_out }) => Object.keys(keep_out).length === 0);
 });
 
-test("a text that is no policy is told with its line, cannot be put in force, and the old one stays", async () => {
+test("an invalid policy is reported with its line, cannot be put in force, and the old one stays", async () => {
   const { page } = real;
   await page.click("#tab-set_up");
   await page.click("#policy-text-part summary");
@@ -96,7 +96,7 @@ test("a text that is no policy is told with its line, cannot be put in force, an
   assert.deepEqual(await real.ask("api/v1/policy"), before);
 });
 
-test("a token that is made lets its holder in, is shown as a code for a phone, and its removal ends it", async () => {
+test("a new token grants its holder access, is shown as a code for a phone, and its removal revokes access", async () => {
   const { page, url } = real;
   await page.click("#tab-set_up");
   await page.fill("#token-new [name=name]", "phone");
@@ -111,7 +111,7 @@ test("a token that is made lets its holder in, is shown as a code for a phone, a
   assert.equal(await status(), 401);
 });
 
-test("a token for several people is made as one and shown as one", async () => {
+test("a token for several people is created and shown as such", async () => {
   const { page } = real;
   await page.fill("#token-new [name=name]", "class");
   await page.check("#token-new [name=shared]");
@@ -122,7 +122,7 @@ test("a token for several people is made as one and shown as one", async () => {
   assert.equal(await page.isChecked("#token-new [name=shared]"), false, "the next one is one person's again");
 });
 
-test("the detection asks before it moves the arm, then a little, and says what it saw and what that means", async () => {
+test("the detection asks before it moves the arm, moves it a little, and shows what it saw and what that means", async () => {
   const { page, traffic } = real;
   await page.click("#tab-set_up");
   const from = traffic.packets.length;
@@ -136,7 +136,7 @@ test("the detection asks before it moves the arm, then a little, and says what i
   assert.ok(Math.hypot(far(0), far(1), far(2)) < 20);
 });
 
-test("a fault that is set happens to the arm, and one that does not exist is told", async () => {
+test("a fault that is set affects the arm, and an unknown one is reported", async () => {
   const { page } = virtual;
   await page.click("#tab-set_up");
   await page.click("#first-close");
@@ -154,7 +154,7 @@ test("a fault that is set happens to the arm, and one that does not exist is tol
   assert.deepEqual(await virtual.ask("api/v1/faults"), []);
 });
 
-test("a world that is put there is around the arm", async () => {
+test("a selected world surrounds the arm", async () => {
   const { page } = virtual;
   await page.click("#tab-set_up");
   await page.click("[data-world='world.cubes']");
@@ -168,7 +168,7 @@ test("a world that is put there is around the arm", async () => {
   await waitForAnswer(page, "api/v1/world", ({ tool }) => tool.kind.type === "pen");
 });
 
-test("the language is changed at once, and kept for the next visit", async () => {
+test("the language changes at once, and is kept for the next visit", async () => {
   const { page } = virtual;
   await page.click("#tab-set_up");
   await page.check("[name=language][value=zh]", { force: true });

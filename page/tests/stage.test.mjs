@@ -39,7 +39,7 @@ async function changes(action) {
 const look = (preset) => page.evaluate((preset) => window.stage.look(preset), preset);
 const targets = () => page.evaluate(() => window.targets.splice(0));
 
-test("everything that a view can hold changes the picture", async () => {
+test("every part of a view changes the picture", async () => {
   await show(WITH_ARM);
   const parts = {
     arm: reported(2, -30),
@@ -62,7 +62,7 @@ test("everything that a view can hold changes the picture", async () => {
   }
 });
 
-test("a refused ghost does not look like one that is allowed", async () => {
+test("a refused ghost does not look like an allowed one", async () => {
   await show({ ...WITH_ARM, dark: false, old: false, note: "", ghost: GHOST });
   assert.ok(await changes(() => show({ ghost: { ...GHOST, refused: true } })));
 });
@@ -76,7 +76,7 @@ test("a limit is shown near it, and not away from it", async () => {
   await show(near([]));
 });
 
-test("marks are added to what is there, and nothing is lost", async () => {
+test("marks are added to the existing ones, and nothing is lost", async () => {
   const once = { width_mm: 1, ends_mm: [160, -90, 280, -90, 280, -90, 280, 90, 280, 90, 160, 90], shades: [1, 1, 1] };
   await show({ marks: once });
   const whole = await picture();
@@ -93,7 +93,7 @@ test("marks are added to what is there, and nothing is lost", async () => {
   assert.equal(await picture(), whole);
 });
 
-test("nothing is drawn while nothing changes, however often an arm that rests says so", async () => {
+test("nothing is drawn while nothing changes, even if an arm at rest keeps reporting", async () => {
   const resting = { rear_deg: 30, fore_deg: 45, servo_deg: 0, base_deg: 20, suction: false, gripper_deg: 0 };
   await show({ marks: null, arm: { ...resting, at_s: 50 } });
   await show({ arm: { ...resting, at_s: 50.08 } });
@@ -110,7 +110,7 @@ test("nothing is drawn while nothing changes, however often an arm that rests sa
   assert.equal(frames, 0);
 });
 
-test("nothing is drawn while the stage is out of sight, and what changed meanwhile is seen when it is back", async () => {
+test("nothing is drawn while the stage is out of sight, and changes meanwhile are visible when it is back", async () => {
   await show({ arm: reported(60, 20) });
   await page.evaluate(() => {
     document.querySelector("#stage").style.setProperty("display", "none");
@@ -138,7 +138,7 @@ test("nothing is drawn while the stage is out of sight, and what changed meanwhi
   assert.equal(await picture(), back);
 });
 
-test("after the last status the arm stands where it was reported, however it came there", async () => {
+test("after the last status the arm is at its reported place, for any earlier motion", async () => {
   for (const [n, base_deg] of [0, 8, 16, 24].entries()) await page.evaluate((arm) => window.show({ arm }), reported(40 + 0.08 * n, base_deg));
   await drawn(page);
   const end = await picture();
@@ -146,7 +146,7 @@ test("after the last status the arm stands where it was reported, however it cam
   assert.equal(await picture(), end);
 });
 
-test("each preset of the camera shows something else, and so do drag, wheel and keys", async () => {
+test("each camera preset shows a different view, and so do drag, wheel and keys", async () => {
   await show(WITH_ARM);
   const seen = new Set();
   for (const key of ["1", "2", "3", "4"]) {
@@ -202,7 +202,7 @@ test("the target is dragged over the table by its tip, in millimetres", async ()
   assert.equal(last.rotation_deg, GHOST.rotation_deg);
 });
 
-test("without a ghost the arm's own tool can be taken, and not where nothing may be dragged", async () => {
+test("without a ghost the arm's own tool can be dragged, but not where dragging is disabled", async () => {
   await show({ ...WITH_ARM, arm: reported(50, 0), ghost: null, draggable: true });
   await look("top");
   await drawn(page);
@@ -219,7 +219,7 @@ test("without a ghost the arm's own tool can be taken, and not where nothing may
   assert.deepEqual(await pull(), []);
 });
 
-test("seen from the side, the tip is dragged up and down, too", async () => {
+test("in the side view, the tip is dragged up and down, too", async () => {
   await show({ ...WITH_ARM, ghost: GHOST, draggable: true });
   await look("side");
   await drawn(page);
@@ -232,7 +232,7 @@ test("seen from the side, the tip is dragged up and down, too", async () => {
   assert.ok(last.z_mm > GHOST.z_mm + 10 && Math.abs(last.x_mm - GHOST.x_mm) < 3, JSON.stringify(last));
 });
 
-test("fingers do it, too: one turns, two zoom, and one on the target drags it", async () => {
+test("fingers work, too: one turns, two zoom, and one on the target drags it", async () => {
   const phone = await openStage({ viewport: { width: 390, height: 340 }, hasTouch: true, isMobile: true, reducedMotion: "reduce" });
   const { page: glass } = phone;
   const touch = await glass.context().newCDPSession(glass);
@@ -269,7 +269,7 @@ test("fingers do it, too: one turns, two zoom, and one on the target drags it", 
   }
 });
 
-test("in a window of another shape all of the arm is still seen, and what was dragged stays where it is", async () => {
+test("in a window of another shape the whole arm is visible, and the drag handle is at its place", async () => {
   await show({ ...WITH_ARM, arm: reported(55, 0), ghost: GHOST, draggable: true });
   await look("top");
   for (const size of [{ width: 350, height: 560 }, { width: 700, height: 490 }]) {
@@ -281,7 +281,7 @@ test("in a window of another shape all of the arm is still seen, and what was dr
   }
 });
 
-test("a graphics card that is taken away leaves two dimensions, and three are back with it", async () => {
+test("after a lost graphics context the view has two dimensions, and three when it is restored", async () => {
   await show({ ...WITH_ARM, ghost: null, draggable: false });
   const kind = () => page.evaluate(() => document.querySelector("#stage").dataset.shown);
   assert.equal(await kind(), "3d");

@@ -30,7 +30,7 @@ async function pressed(bench, axis, isThere) {
 }
 
 for (const personality of Object.keys(MODES)) {
-  test(`each of the 16 buttons moves an arm of ${personality} by the step that is chosen`, async () => {
+  test(`each of the 16 buttons moves an arm of ${personality} by the selected step`, async () => {
     const bench = await open({ personality, speed: 5 });
     try {
       const { page } = bench;

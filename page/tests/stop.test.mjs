@@ -66,7 +66,7 @@ for (const [name, other] of Object.entries(PRESSES)) {
   });
 }
 
-test("a press and its lifting stop once, and so does a key on the button", async () => {
+test("a press and its release stop once, and so does a key on the button", async () => {
   await page.evaluate(() => {
     window.stops = 0;
     const send = WebSocket.prototype.send;

@@ -23,7 +23,7 @@ const waitForText = (part) => page.waitForFunction((part) => document.querySelec
 const at = (name, value) => page.waitForFunction(([name, value]) => Math.abs(Number(document.querySelector(`[data-pose=${name}]`).textContent) - value) < 0.15, [name, value]);
 const field = async (name) => Number(await page.inputValue(`#target-${name}`));
 
-test("a place that is typed is checked, and only Go brings the arm there", async () => {
+test("a typed place is checked, and only Go moves the arm there", async () => {
   await typeTarget(page, { x_mm: 210, y_mm: -60, z_mm: 20 });
   await waitForText("The path is free");
   assert.deepEqual(traffic.targets(from), []);
@@ -51,7 +51,7 @@ test("one line is written to the typed place at its speed", async () => {
   await page.click("label:has([name=path][value=movj])");
 });
 
-test("a place beyond reach is refused with what is allowed, and the nearest place is one click away", async () => {
+test("a place beyond reach is refused with the allowed range, and the nearest place is one click away", async () => {
   await typeTarget(page, { x_mm: 600, y_mm: 0, z_mm: 20 });
   await waitForText("too far");
   assert.equal(await page.isDisabled("#target-go"), true);
@@ -72,7 +72,7 @@ test("a field without a number asks for one, and nothing is sent", async () => {
   await page.click("#target-clear");
 });
 
-test("the tip that is dragged on the stage says where to go, and Go brings the arm there", async () => {
+test("the tip dragged on the stage sets the target, and Go moves the arm there", async () => {
   await page.waitForSelector("#stage[data-shown='3d']");
   await page.click("[data-look=top]");
   await drawn(page);
@@ -92,7 +92,7 @@ test("the tip that is dragged on the stage says where to go, and Go brings the a
   assert.ok(Math.abs(x_mm - wanted[0]) < 0.06 && Math.abs(y_mm - wanted[1]) < 0.06);
 });
 
-test("Escape stops an arm that was told to go somewhere", async () => {
+test("Escape stops an arm on its way to a target", async () => {
   await typeTarget(page, { x_mm: 200, y_mm: 90, z_mm: 20 });
   await waitForText("The path is free");
   await page.click("#target-go");

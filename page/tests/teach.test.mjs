@@ -43,7 +43,7 @@ async function step(axis, name, to) {
   await page.click("#tab-teach");
 }
 
-test("two points are captured and looped, and the arm goes from one to the other until it is ended", async () => {
+test("two points are captured and looped, and the arm goes back and forth until the program is ended", async () => {
   await page.click("#capture");
   await count(1);
   const y_mm = await pose(page, "y_mm");
@@ -60,7 +60,7 @@ test("two points are captured and looped, and the arm goes from one to the other
   await until(undefined, "done");
 });
 
-test("steps are moved by keys, undone and done again", async () => {
+test("steps are moved by keys, undone and redone", async () => {
   const before = await rows();
   assert.equal(before.length, 2);
   await page.click("#step-1");
@@ -74,7 +74,7 @@ test("steps are moved by keys, undone and done again", async () => {
   assert.deepEqual(targets(), []);
 });
 
-test("a step alone moves the arm to one point, and from the chosen step on to what follows", async () => {
+test("a single step moves the arm to one point, and a run from the selected step continues with the following ones", async () => {
   await step("z_plus", "z_mm", (await pose(page, "z_mm")) + 10);
   from = traffic.packets.length;
   await page.click("#step-0");
@@ -94,7 +94,7 @@ test("a step alone moves the arm to one point, and from the chosen step on to wh
   assert.equal(new Set(targets().map(String)).size, 1);
 });
 
-test("what cannot be done is told with the way to its step, and cannot be run", async () => {
+test("a problem is shown with a link to its step, and the program cannot be run", async () => {
   await page.check("[name=teach-mode][value=text]", { force: true });
   const text = await page.inputValue("#teach-text");
   await page.fill("#teach-text", `${text}\n[[steps]]\ngo = { x = 900, y = 0, z = 0 }\n`);
@@ -108,7 +108,7 @@ test("what cannot be done is told with the way to its step, and cannot be run", 
   await page.waitForFunction(() => !document.querySelector("#teach-once").disabled);
 });
 
-test("a program is kept when the page is loaded again, and is the same after it was saved and opened", async () => {
+test("a program survives a reload of the page, and is the same after it was saved and opened", async () => {
   await page.check("[name=teach-mode][value=text]", { force: true });
   const text = await page.inputValue("#teach-text");
   const [download] = await Promise.all([page.waitForEvent("download"), page.click("#teach-save")]);
@@ -135,7 +135,7 @@ test("a file of the vendor's program is opened as a program, and written again",
   assert.equal(points(again), points(vendor), again);
 });
 
-test("a program of ten thousand steps shows few rows at once, and any of them when it is scrolled to", async () => {
+test("a program of ten thousand steps shows few rows at once, and any of them after scrolling", async () => {
   const text = Array.from({ length: 10_000 }, (_, n) => `[[steps]]\npause = ${n}\n`).join("");
   await page.setInputFiles("#teach-file", { name: "long.toml", mimeType: "text/plain", buffer: Buffer.from(text) });
   await page.check("[name=teach-mode][value=table]", { force: true });

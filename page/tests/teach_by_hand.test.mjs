@@ -51,7 +51,7 @@ async function onStage([x_mm, y_mm]) {
   return [box.x + x, box.y + y];
 }
 
-test("a step is carried to another place by its grip, and the arm runs the program in the new order", async () => {
+test("a step is dragged to another place by its grip, and the arm runs the program in the new order", async () => {
   await page.mouse.move(...(await middle("#step-0 .grip")));
   await page.mouse.down();
   await page.mouse.move(...(await middle("#step-2 .grip")), { steps: 5 });
@@ -68,7 +68,7 @@ test("a step is carried to another place by its grip, and the arm runs the progr
   while ((await bench.ask("api/v1/state")).job) await passed(page, 0.1);
 });
 
-test("a finger carries a step, too", async () => {
+test("a finger drags a step, too", async () => {
   const [x, y] = await middle("#step-3 .grip"), [, to] = await middle("#step-1 .grip");
   const cdp = await page.context().newCDPSession(page);
   const touch = (type, ...points) => cdp.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
@@ -79,7 +79,7 @@ test("a finger carries a step, too", async () => {
   await ordered(0, 3, 1, 2);
 });
 
-test("Alt with the arrow keys moves the step, says where it is, and stays on it", async () => {
+test("Alt with the arrow keys moves the step, announces its place, and stays on it", async () => {
   await page.click("#step-0");
   await page.keyboard.press("Alt+ArrowDown");
   await ordered(1, 0, 2, 3);
@@ -89,7 +89,7 @@ test("Alt with the arrow keys moves the step, says where it is, and stays on it"
   await page.waitForFunction(() => document.querySelector("#teach-moved").textContent === "The step is now step 3 of 4.");
 });
 
-test("Escape stops the arm and lets the carried step lie where it was", async () => {
+test("Escape stops the arm and leaves the dragged step where it was", async () => {
   await page.mouse.move(...(await middle("#step-0 .grip")));
   await page.mouse.down();
   await page.mouse.move(...(await middle("#step-2 .grip")), { steps: 4 });
@@ -103,7 +103,7 @@ test("Escape stops the arm and lets the carried step lie where it was", async ()
   await page.waitForSelector("#stopped", { state: "detached" });
 });
 
-test("the place of the chosen step is dragged on the stage; table and text follow, all else in the text stays, and it is one change", async () => {
+test("the place of the selected step is dragged on the stage; table and text follow, the rest of the text is unchanged, and it is one change", async () => {
   const from = traffic.packets.length;
   await choose(1);
   await page.mouse.move(...(await onStage(PLACES[1])));

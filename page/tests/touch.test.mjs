@@ -25,7 +25,7 @@ async function finger(type, selector) {
   await session.send("Input.dispatchTouchEvent", { type, touchPoints });
 }
 
-test("a finger that holds a button jogs, its lifting stops, and the stage stays in sight", async () => {
+test("a finger on a button jogs, lifting it stops, and the stage stays in sight", async () => {
   const from = traffic.packets.length;
   await finger("touchStart", "[data-axis=y_plus]");
   await moved(page, "y_mm", 5);
@@ -38,7 +38,7 @@ test("a finger that holds a button jogs, its lifting stops, and the stage stays 
   assert.equal(jogs.at(-1), "linear 0");
 });
 
-test("STOP is within reach of a thumb, and nothing hangs over the edge", async () => {
+test("STOP is within reach of a thumb, and nothing extends beyond the screen", async () => {
   const stop = await page.locator("#stop").boundingBox();
   assert.ok(stop.y > 600 && stop.width > 300);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);

@@ -19,7 +19,7 @@ afterEach(async () => {
 
 const RELEASED = "linear 0";
 
-test("on a slow network the arm follows late, and stops after the release", async () => {
+test("on a slow network the arm follows with a delay, and stops after the release", async () => {
   bench.slow(200);
   await press(page, "y_plus");
   await moved(page, "y_mm", 5);
@@ -35,7 +35,7 @@ test("on a slow network the arm follows late, and stops after the release", asyn
   assert.equal(await pose(page, "y_mm"), y_mm);
 });
 
-test("of two pages one has control; the other says who, and gets it when it is given", async () => {
+test("one of two pages has control; the other shows the lease holder, and gets control when it is granted", async () => {
   const other = await bench.visit({ viewport: { width: 1024, height: 768 } });
   await other.waitForFunction(() => document.querySelector("#jog-why").textContent.includes("Another client has control"));
   assert.equal(await other.isDisabled("[data-axis=y_plus]"), true);
@@ -61,7 +61,7 @@ test("of two pages one has control; the other says who, and gets it when it is g
   await page.waitForFunction(() => document.querySelector("#holder").textContent === "You have control.");
 });
 
-test("a station that is killed while a button is held stops the arm, and the page says so and goes on with the next one", async () => {
+test("a station killed while a button is held stops the arm, and the page reports it and continues with the next station", async () => {
   await page.waitForFunction(() => !document.querySelector("[data-axis=y_plus]").disabled);
   await press(page, "y_plus");
   await moved(page, "y_mm", 4);
@@ -85,7 +85,7 @@ test("a station that is killed while a button is held stops the arm, and the pag
   await rest(page);
 });
 
-test("a STOP that gets no answer is told in red beside it and asked for again, and it is told when it was answered", async () => {
+test("an unanswered STOP is shown in red beside it and sent again, and its answer is shown when it arrives", async () => {
   const stop = await page.locator("#stop").boundingBox();
   bench.cut();
   await page.mouse.move(stop.x + stop.width / 2, stop.y + stop.height / 2);
@@ -109,7 +109,7 @@ test("a STOP that gets no answer is told in red beside it and asked for again, a
   await page.waitForSelector("#late-stop", { state: "detached" });
 });
 
-test("a page that hears nothing for 2 s connects anew, while its connection is still open", async () => {
+test("a page that receives nothing for 2 s reconnects, while its connection is still open", async () => {
   await page.waitForSelector("#link-chip[data-tone=good]");
   const opened = page.waitForEvent("websocket");
   bench.cut();
@@ -120,7 +120,7 @@ test("a page that hears nothing for 2 s connects anew, while its connection is s
   await page.waitForSelector("#link-chip[data-tone=good]");
 });
 
-test("a page that lost its station says how old its picture is", async () => {
+test("a page that lost its station shows the age of its picture", async () => {
   bench.slow(60_000);
   await page.waitForFunction(() => document.querySelector("#stage").classList.contains("is-old"));
   await page.waitForSelector("#old");

@@ -23,7 +23,7 @@ test("the numbers of the link are those of the station", async () => {
   assert.match(await page.textContent("#statuses"), /^1[0-9]\.\d of 12\.5/);
 });
 
-test("what happened stands there, the newest first, and can be searched", async () => {
+test("events are listed, the newest first, and can be searched", async () => {
   await page.waitForFunction(() => document.querySelector("#notices li")?.textContent.includes("has control"));
   await page.fill("#filter", "CONFIRMED");
   await page.waitForFunction(() => document.querySelectorAll("#notices li").length === 1);

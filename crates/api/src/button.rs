@@ -247,7 +247,7 @@ mod tests {
     };
 
     #[test]
-    fn a_step_of_the_tip_is_a_straight_line_along_one_axis_with_the_tool_as_it_is() {
+    fn a_step_of_the_tip_is_a_straight_line_along_one_axis_and_does_not_turn_the_tool() {
         let step = Button::Linear(LinearJogAxis::YMinus).step(&STATUS, 10.0);
         let expected = MoveTo {
             x_mm: 200.0,
@@ -279,7 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn a_turn_of_the_tool_is_one_of_its_servo_by_the_buttons_of_either_jog() {
+    fn a_tool_button_of_either_jog_turns_the_servo_by_one_step() {
         for (button, servo_deg) in [
             (Button::Linear(LinearJogAxis::ServoPlus), 18.0),
             (Button::Joint(JointJogAxis::ServoPlus), 18.0),

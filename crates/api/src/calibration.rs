@@ -320,7 +320,7 @@ mod tests {
     }
 
     #[test]
-    fn an_arm_keeps_its_name_until_it_is_given_another() {
+    fn an_arm_keeps_its_name_until_it_gets_another() {
         let known = Calibrations::default().replaced_by(Some(called(Some("desk 3"))));
         let again = known.replaced_by(Some(called(None)));
         assert_eq!(again.name(), Some("desk 3"));
@@ -330,7 +330,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_that_fills_more_than_a_line_is_refused() {
+    fn a_name_longer_than_a_line_is_refused() {
         called(Some(&"n".repeat(64))).check().unwrap();
         let error = called(Some(&"n".repeat(65))).check().unwrap_err();
         assert_eq!(

@@ -259,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn a_group_is_those_that_say_that_they_belong_to_it() {
+    fn a_group_consists_of_the_members_that_list_it() {
         let member = |name: &str, groups: &[&str]| Member {
             name: name.into(),
             id: "0".repeat(32),

@@ -199,7 +199,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_new_folder_is_for_its_owner_alone_and_one_that_is_there_stays_as_it_is() {
+    fn a_new_folder_is_private_and_an_existing_one_is_unchanged() {
         let mode = |folder: &Path| folder.metadata().unwrap().permissions().mode() & 0o777;
         let above = tempfile::tempdir().unwrap();
         std::fs::set_permissions(above.path(), std::fs::Permissions::from_mode(0o755)).unwrap();

@@ -42,7 +42,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_file_that_others_could_read_is_private_when_it_is_written_anew() {
+    fn a_file_readable_by_others_is_private_after_it_is_written_again() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("in/here.toml");
         write_private(&file, "one").unwrap();

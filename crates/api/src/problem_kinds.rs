@@ -231,7 +231,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_kind_has_a_name_of_its_own_and_some_sentences() {
+    fn every_kind_has_a_unique_name_and_an_explanation() {
         for (index, kind) in ALL.iter().enumerate() {
             assert!(
                 ALL[..index].iter().all(|earlier| earlier.name != kind.name),

@@ -295,7 +295,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn jobs_are_queued_with_less_than_it_takes_to_start_them() {
+    fn jobs_are_queued_with_fewer_rights_than_are_needed_to_start_them() {
         let again = Request::QueueAgain { job: 1, key: None };
         assert_eq!(again.role(), Role::Queue);
         for request in [

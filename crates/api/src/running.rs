@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_station_writes_is_read_back_and_gone_when_it_ends() {
+    fn the_file_of_a_station_is_read_back_and_deleted_when_it_ends() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("run/station.toml");
         assert_eq!(Running::read(&file).unwrap(), None);
@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn the_file_of_the_station_that_came_after_stays() {
+    fn the_file_of_a_later_station_is_kept() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("station.toml");
         running(8).write(&file).unwrap();
@@ -164,7 +164,7 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn nobody_else_may_read_the_token_even_where_a_public_file_was() {
+    fn only_the_owner_may_read_the_token_even_if_a_public_file_existed() {
         use std::os::unix::fs::PermissionsExt;
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("station.toml");
@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_with_something_else_is_told_by_its_name() {
+    fn a_file_with_other_content_is_reported_by_its_name() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("station.toml");
         fs::write(&file, "address = 7").unwrap();

@@ -295,7 +295,7 @@ mod tests {
     };
 
     #[test]
-    fn what_the_arm_is_told_brings_the_tool_to_the_true_place() {
+    fn a_calibrated_target_brings_the_tool_to_the_true_place() {
         for (x, y, z) in [
             (200.0, 30.0, -40.0),
             (180.0, -120.0, 20.0),
@@ -310,7 +310,7 @@ mod tests {
     }
 
     #[test]
-    fn an_arm_with_nothing_wrong_is_where_it_says() {
+    fn an_arm_without_errors_is_at_its_reported_place() {
         let place = Position::new(210.0, -70.0, -35.0);
         let found = Calibration::default()
             .told_place(place, Tool::Laser)

@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn a_joint_that_turned_back_last_is_named_with_what_to_do() {
+    fn a_joint_that_turned_back_last_is_named_with_a_remedy() {
         for (joint, name) in ["base", "rear arm", "forearm"].into_iter().enumerate() {
             let mut end = [0.5, 41.0, 46.0];
             end[joint] -= 0.2;
@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn a_joint_that_turned_on_by_less_than_its_backlash_has_not_come_from_the_right_side() {
+    fn a_turn_of_less_than_the_backlash_does_not_count_as_an_approach_from_the_right_side() {
         assert!(after(&[[5.0, 40.0, 45.0], [0.0, 40.0, 45.0], [0.1, 40.0, 45.0]]).is_err());
     }
 }

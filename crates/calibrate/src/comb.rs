@@ -174,7 +174,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_pen_is_above_the_paper_on_every_way_to_a_line() {
+    fn the_pen_is_above_the_paper_on_every_path_to_a_line() {
         for joint in [SlackJoint::Base, SlackJoint::Rear, SlackJoint::Fore] {
             let commands = comb(joint, &Calibration::NONE, |_| -40.0, Tool::SuctionCup).unwrap();
             let heights: Vec<f64> = commands.iter().filter_map(height).collect();

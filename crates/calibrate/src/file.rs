@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_written_is_read_again() {
+    fn a_written_file_is_read_back() {
         let file = CalibrationFile {
             zeros: Zeros {
                 base: 3.5,
@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn a_number_that_no_arm_can_have_is_reported_with_what_is_allowed() {
+    fn a_number_that_no_arm_can_have_is_reported_with_the_allowed_range() {
         let error = read_calibration("[zeros]\nbase = 0.0\nrear = 70.0\nfore = 0.0\n").unwrap_err();
         assert_eq!(error.to_string(), "zeros.rear is 70; allowed are -30 to 30");
     }

@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn touches_that_define_no_paper_are_refused_with_what_to_do() {
+    fn touches_that_define_no_paper_are_refused_with_a_remedy() {
         let mut touched = SHEET_POINTS.map(|[x, y]| [x, y, -42.0]);
         touched[4][2] = -30.0;
         let refused = |touched: &[[f64; 3]]| paper(touched).unwrap_err().to_string();

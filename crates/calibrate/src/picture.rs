@@ -72,7 +72,7 @@ mod tests {
     use crate::{SHEET_POINTS, fit};
 
     #[test]
-    fn a_touch_that_was_left_out_is_marked_in_the_picture() {
+    fn an_excluded_touch_is_marked_in_the_picture() {
         let arm = Calibration {
             rear_deg: 4.0,
             ..Calibration::NONE

@@ -79,7 +79,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_touch_leads_to_the_next_point_and_can_be_taken_back() {
+    fn each_touch_advances_to_the_next_point_and_can_be_undone() {
         let mut procedure = Procedure::new(Tool::SuctionCup);
         assert_eq!(procedure.next_point(), (1, SHEET_POINTS[0]));
         procedure.touch(Joints::new(0.0, 45.0, 45.0, 0.0), 30.0);

@@ -48,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn places_on_a_circle_are_as_far_apart_as_its_radius() {
+    fn the_spread_of_places_on_a_circle_is_its_radius() {
         let places = [
             [1.0, 0.0, 0.0],
             [-1.0, 0.0, 0.0],
@@ -60,7 +60,7 @@ mod tests {
     }
 
     #[test]
-    fn one_place_alone_has_no_spread() {
+    fn a_single_place_has_no_spread() {
         assert_eq!(repeatability(&[[1.0, 2.0, 3.0]]), None);
     }
 }

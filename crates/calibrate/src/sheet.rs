@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn each_sheet_is_accepted_with_the_bar_that_is_drawn_on_it_and_refused_with_200_mm() {
+    fn each_sheet_is_accepted_with_its_printed_bar_and_refused_with_200_mm() {
         for number in FIRST..=LAST {
             let sheet = Sheet::numbered(number).expect("it is a sheet");
             assert_eq!(sheet.check_bar(drawn_mm(sheet)), Ok(()));
@@ -232,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn the_length_of_one_bar_says_nothing_about_the_next_sheet() {
+    fn the_length_of_one_bar_does_not_apply_to_the_next_sheet() {
         for number in FIRST..LAST {
             let [this, next] = [number, number + 1].map(Sheet);
             assert!((drawn_mm(this) - drawn_mm(next)).abs() > 10.0, "{number}");
@@ -250,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bar_without_the_number_of_its_sheet_is_refused_with_what_to_do() {
+    fn a_bar_without_the_number_of_its_sheet_is_refused_with_a_remedy() {
         for (number, bar_mm) in [(None, Some(200.0)), (Some(417), None), (None, None)] {
             assert_eq!(check_bar(number, bar_mm), Err(BarError::NotMeasured));
         }

@@ -37,7 +37,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_as_long_as_allowed_is_read_and_of_more_one_byte() {
+    fn input_up_to_the_limit_is_read_and_one_byte_beyond_it() {
         let read = |bytes: &[u8]| super::bytes(bytes, |_| 2000).expect("memory can be read");
         assert_eq!(read(&[7; 2000]), [7; 2000]);
         assert_eq!(read(&[7; 3000]), [7; 2001]);

@@ -304,7 +304,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_job_that_the_person_paused_is_told_from_one_that_was_paused_otherwise() {
+    fn a_job_paused_by_the_person_is_distinguished_from_other_pauses() {
         let text = || "the arm was stopped".to_owned();
         let paused = |interrupted| end(JobPhase::Paused, text(), interrupted);
         assert_eq!(paused(true), End::Interrupted);

@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn the_log_for_people_is_quiet_unless_it_is_asked_for() {
+    fn the_log_for_people_is_quiet_by_default() {
         let quiet = LogFormat::Text
             .targets(Err(VarError::NotPresent))
             .expect("it is understood");
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn the_log_of_a_service_begins_at_info() {
+    fn the_log_of_a_service_starts_at_info() {
         let service = LogFormat::Json
             .targets(Err(VarError::NotPresent))
             .expect("it is understood");
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn each_crate_may_have_a_level_of_its_own() {
+    fn each_crate_may_have_its_own_level() {
         let wanted = "warn,dobot_host=debug";
         let (rules, station) = ("dobot_host::driver", "dobot_station::http");
         assert!(wants(LogFormat::Text, wanted, rules, Level::DEBUG));
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn a_level_that_there_is_not_is_told_with_those_that_there_are() {
+    fn an_unknown_level_is_reported_with_the_known_ones() {
         let problem = LogFormat::Text
             .targets(Ok("dobot_host=loud".into()))
             .expect_err("it is not");

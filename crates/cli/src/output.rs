@@ -200,7 +200,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn texts_of_others_command_no_terminal() {
+    fn texts_of_others_cannot_control_the_terminal() {
         let text = "desk-2  \u{1b}]0;pwn\u{7}\u{1b}[31mEVIL\r\n\u{9b}2J\u{202e}é";
         assert_eq!(plain(text, usize::MAX), "desk-2  ]0;pwn[31mEVIL2Jé");
     }

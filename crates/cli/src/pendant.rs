@@ -408,7 +408,7 @@ mod tests {
     }
 
     #[test]
-    fn an_arrow_jogs_until_it_repeats_no_more() {
+    fn an_arrow_jogs_until_it_stops_repeating() {
         let mut it = pendant(Drive::Jog);
         assert_eq!(keyed(&mut it, Duration::ZERO, KeyCode::Up), [forward(50.0)]);
         assert_eq!(it.poll_wakeup(), Some(DEAD_MAN / 3));
@@ -417,7 +417,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stop_goes_out_first_and_nothing_follows_it() {
+    fn a_stop_is_sent_first_and_nothing_follows_it() {
         let mut it = pendant(Drive::Jog);
         it.handle_event(Duration::ZERO, &press(KeyCode::Char('u')));
         it.handle_event(Duration::ZERO, &press(KeyCode::Up));
@@ -430,7 +430,7 @@ mod tests {
     }
 
     #[test]
-    fn a_speed_counts_from_the_next_beat_on() {
+    fn a_new_speed_applies_from_the_next_beat() {
         let mut it = pendant(Drive::Jog);
         keyed(&mut it, Duration::ZERO, KeyCode::Char('3'));
         assert_eq!(keyed(&mut it, Duration::ZERO, KeyCode::Up), [forward(30.0)]);
@@ -476,7 +476,7 @@ mod tests {
     }
 
     #[test]
-    fn leaving_the_window_or_the_pendant_lets_go() {
+    fn leaving_the_window_or_the_pendant_releases_the_button() {
         for event in [Event::FocusLost, press(KeyCode::Char('q'))] {
             let mut it = pendant(Drive::Jog);
             keyed(&mut it, Duration::ZERO, KeyCode::Up);
@@ -490,7 +490,7 @@ mod tests {
     }
 
     #[test]
-    fn a_jog_that_the_station_refuses_is_told_and_asked_for_no_more() {
+    fn a_jog_refused_by_the_station_is_reported_and_not_repeated() {
         let mut it = pendant(Drive::Jog);
         let all = keyed(&mut it, Duration::ZERO, KeyCode::Up);
         it.handle_refused(&all[0], "x is 320 mm".into());
@@ -544,7 +544,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stick_jogs_until_it_is_back_or_the_gamepad_is_gone() {
+    fn a_stick_jogs_until_it_is_centred_or_the_gamepad_is_unplugged() {
         for end in [Some(stick(0)), None] {
             let mut it = pendant(Drive::Jog);
             it.handle_pad(Duration::ZERO, Some(stick(-32767)));
@@ -558,7 +558,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stick_that_is_held_half_way_is_half_as_fast() {
+    fn a_stick_held_half_way_is_half_as_fast() {
         let mut it = pendant(Drive::Jog);
         // The dead zone is a quarter: 0.625 is half of the rest.
         it.handle_pad(Duration::ZERO, Some(stick(-20479)));
@@ -586,7 +586,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mouse_has_two_packets_under_way_at_the_most() {
+    fn a_mouse_has_at_most_two_packets_in_flight() {
         let mut it = pendant(Drive::Mouse(Mouse::new()));
         it.handle_state(State::sample());
         let beat = |at: u32| DEAD_MAN / 3 * at;
@@ -616,7 +616,7 @@ mod tests {
     }
 
     #[test]
-    fn left_is_left_with_a_mouse_whatever_the_dialect() {
+    fn left_is_left_with_a_mouse_in_both_dialects() {
         let mut it = pendant(Drive::Mouse(Mouse::new()));
         for (dialect, y) in [(Dialect::SPECIFICATION, 2.5), (Dialect::FIRMWARE_1_1, -2.5)] {
             let mut state = State::sample();

@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn old_spellings_are_replaced_where_they_meant_something_else() {
+    fn old_spellings_are_replaced_where_their_meaning_has_changed() {
         for (old, new) in [
             ("dobot arm --speed 8", "dobot arm --time-factor 8"),
             ("dobot arm --speed=max", "dobot arm --time-factor=max"),
@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn other_commands_and_arguments_after_two_dashes_stay() {
+    fn other_commands_and_arguments_after_two_dashes_are_unchanged() {
         for line in [
             "dobot draw a.svg --speed 20 --paper-size a5",
             "dobot jog x+ --frame linear",
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn each_new_name_is_an_option_and_the_old_one_is_none() {
+    fn each_new_name_is_an_option_and_the_old_one_is_not() {
         for Renamed { path, old, new } in &RENAMED {
             let mut command = &crate::command_line::command();
             for name in *path {

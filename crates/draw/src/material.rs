@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_file_does_not_say_is_as_for_any_pen_or_laser() {
+    fn missing_settings_have_the_defaults_of_the_tool() {
         let text = "[materials.a]\ntool = 'pen'\nspeed_mm_s = 7.5\n\
                     [materials.b]\ntool = 'laser'\nspeed_mm_s = 2\npasses = 3\nspacing_mm = 0.1\n";
         let materials = Materials::from_toml(text).unwrap();
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn a_material_of_ones_own_replaces_the_built_in_one_of_its_name() {
+    fn a_users_material_replaces_the_built_in_one_of_its_name() {
         let mine = "[materials.fineliner]\ntool = 'pen'\nspeed_mm_s = 11\n";
         let mine = Materials::from_toml(mine).unwrap();
         let both = Materials::built_in().with(mine.clone());
@@ -158,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_name_is_answered_with_the_known_ones() {
+    fn an_unknown_name_is_reported_with_the_known_ones() {
         let text = "[materials.felt]\ntool = 'pen'\nspeed_mm_s = 7\n\
                     [materials.slate]\ntool = 'laser'\nspeed_mm_s = 7\n";
         let error = Materials::from_toml(text).unwrap().get("slat").unwrap_err();

@@ -268,7 +268,7 @@ mod tests {
     }
 
     #[test]
-    fn zenoh_takes_what_it_is_told() {
+    fn zenoh_accepts_its_configuration() {
         let (_folder, own) = local();
         session(&[], &own).unwrap();
         router(&["quic/127.0.0.1:0".into()], &own).unwrap();
@@ -300,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    fn an_address_where_the_certificate_does_not_count_is_refused_with_what_is_allowed() {
+    fn an_address_without_certificate_check_is_refused_with_what_is_allowed() {
         let (_folder, own) = local();
         for (address, word) in [
             ("tcp/192.168.0.7:7447", "allowed is quic/HOST:PORT"),
@@ -329,7 +329,7 @@ mod tests {
     }
 
     #[test]
-    fn a_station_has_the_name_of_its_certificate_or_is_given_by_it() {
+    fn a_station_has_the_name_of_its_certificate_or_one_from_its_host() {
         let mut config = FleetConfig {
             name: "desk-3".into(),
             ..FleetConfig::default()
@@ -342,7 +342,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_that_is_none_is_told_with_what_is_allowed() {
+    fn an_invalid_name_is_reported_with_what_is_allowed() {
         let config = FleetConfig {
             about: MemberAbout {
                 groups: vec!["Room 2".into()],

@@ -453,7 +453,7 @@ mod tests {
     }
 
     #[test]
-    fn a_desk_that_comes_later_gets_a_certificate_of_the_same_authority() {
+    fn a_desk_added_later_gets_a_certificate_of_the_same_authority() {
         let folder = tempfile::tempdir().unwrap();
         let first = Credentials::make(folder.path(), &names(&["desk-1", "router"])).unwrap();
         let later = Credentials::make(folder.path(), &names(&["desk-2"])).unwrap();
@@ -465,7 +465,7 @@ mod tests {
     }
 
     #[test]
-    fn programs_of_one_person_have_the_same_authority_even_if_they_start_at_once() {
+    fn programs_of_one_person_share_an_authority_even_if_they_start_at_once() {
         let folder = tempfile::tempdir().unwrap();
         let place = folder.path().join("fleet-authority");
         let start = |name: &'static str| {
@@ -481,7 +481,7 @@ mod tests {
     }
 
     #[test]
-    fn a_certificate_lasts_a_year_and_its_end_is_told_thirty_days_before() {
+    fn a_certificate_is_valid_for_a_year_and_its_expiry_is_announced_thirty_days_before() {
         let folder = tempfile::tempdir().unwrap();
         let fresh = Credentials::make(folder.path(), &names(&["desk-1"])).unwrap();
         let days = (fresh[0].identity().unwrap().own().expires_s - now_s()) / 86400;
@@ -518,7 +518,7 @@ mod tests {
     }
 
     #[test]
-    fn a_revoked_certificate_is_refused_by_all_and_a_new_one_of_its_name_is_not() {
+    fn a_revoked_certificate_is_refused_by_all_and_a_new_one_of_its_name_is_accepted() {
         let folder = tempfile::tempdir().unwrap();
         let made = Credentials::make(folder.path(), &names(&["desk-1", "desk-2"])).unwrap();
         let stick = made[1].identity().unwrap();
@@ -544,14 +544,14 @@ mod tests {
     }
 
     #[test]
-    fn a_key_shows_in_no_debugging_output() {
+    fn a_key_does_not_appear_in_debug_output() {
         let folder = tempfile::tempdir().unwrap();
         let credentials = Credentials::local(&folder.path().join("own"), "desk-1").unwrap();
         assert_eq!(format!("{credentials:?}"), "Credentials { .. }");
     }
 
     #[test]
-    fn no_certificate_is_replaced_and_no_folder_is_left_by_what_is_refused() {
+    fn a_refused_request_replaces_no_certificate_and_leaves_no_folder() {
         let folder = tempfile::tempdir().unwrap();
         Credentials::make(folder.path(), &names(&["desk-1"])).unwrap();
         let error = Credentials::make(folder.path(), &names(&["desk-2", "desk-1"])).unwrap_err();

@@ -72,7 +72,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_station_keeps_its_number_and_another_one_has_another() {
+    fn a_station_keeps_its_number_and_another_station_has_another() {
         let folder = tempfile::tempdir().unwrap();
         let [one, other] = ["one", "other"].map(|name| folder.path().join(name));
         let first = own_id(&one).unwrap();

@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_of_something_else_is_no_station() {
+    fn a_key_of_another_kind_is_not_a_station() {
         let id = desk().id;
         for key in [
             "dobot/alive".to_owned(),

@@ -171,7 +171,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_no_name_and_no_link_is_left_out_and_nothing_reaches_the_terminal() {
+    fn invalid_names_and_links_are_omitted_and_no_control_characters_reach_the_terminal() {
         let about = MemberAbout {
             version: "\u{1b}]0;pwn\u{7}1.0".into(),
             page: Some("javascript:alert(1)".into()),
@@ -211,7 +211,7 @@ mod tests {
     }
 
     #[test]
-    fn a_page_is_a_link_of_the_web() {
+    fn a_page_is_a_web_link() {
         for good in [
             "http://desk-3:8642",
             "https://[fe80::1]:8642/",
@@ -232,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stop_is_told_at_once_and_a_resting_arm_every_second() {
+    fn a_stop_is_published_at_once_and_an_arm_at_rest_every_second() {
         let at = Duration::from_millis;
         let mut pace = Pace::default();
         assert!(pace.is_due(at(0), &State::sample()));

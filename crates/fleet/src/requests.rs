@@ -453,7 +453,7 @@ mod tests {
     }
 
     #[test]
-    fn the_asked_station_gets_a_proof_for_this_request_and_not_the_token() {
+    fn the_recipient_gets_a_proof_for_this_request_and_not_the_token() {
         let token = "0123456789abcdef".repeat(4);
         let request = ApiRequest {
             method: "POST".into(),

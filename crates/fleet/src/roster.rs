@@ -386,7 +386,7 @@ mod tests {
     }
 
     #[test]
-    fn a_station_that_went_is_shown_as_away_and_one_that_comes_again_as_present() {
+    fn a_station_that_left_is_shown_as_away_and_a_returning_one_as_present() {
         let mut roster = roster();
         handle_arrival(&mut roster, key("desk-2", 'b'), 1.0);
         roster.handle_departure(&alive(key("desk-2", 'b')));
@@ -401,7 +401,7 @@ mod tests {
     }
 
     #[test]
-    fn of_two_stations_of_one_name_none_is_asked_until_one_is_left() {
+    fn two_stations_of_one_name_are_not_asked_until_one_is_left() {
         let mut roster = roster();
         for digit in ['b', 'c'] {
             handle_arrival(&mut roster, key("desk-2", digit), 1.0);
@@ -422,7 +422,7 @@ mod tests {
     }
 
     #[test]
-    fn a_station_that_takes_the_place_of_one_that_is_away_is_the_only_one_of_its_name() {
+    fn a_station_that_replaces_an_absent_one_is_the_only_one_of_its_name() {
         let mut roster = roster();
         handle_arrival(&mut roster, key("desk-2", 'b'), 1.0);
         roster.handle_departure(&alive(key("desk-2", 'b')));
@@ -452,7 +452,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_told_is_kept_of_those_who_are_there_and_of_nobody_else() {
+    fn reports_are_kept_for_present_stations_only() {
         let mut roster = roster();
         let report = |group: &str| StateReport {
             about: MemberAbout {
@@ -474,7 +474,7 @@ mod tests {
     }
 
     #[test]
-    fn a_station_with_a_wrong_clock_is_heard_when_it_is_heard() {
+    fn a_report_of_a_station_with_a_wrong_clock_counts_from_its_arrival() {
         let mut roster = roster();
         handle_arrival(&mut roster, key("desk-2", 'b'), 2.0);
         for at_s in [-1e9, 1e12] {
@@ -510,7 +510,7 @@ mod tests {
     }
 
     #[test]
-    fn a_flood_of_other_versions_is_held_and_pushes_out_nobody_who_is_there() {
+    fn a_flood_of_other_versions_is_bounded_and_displaces_no_present_station() {
         let mut roster = roster();
         for number in 0..MOST + 10 {
             let other = Alive {
@@ -529,7 +529,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_is_that_of_its_certificate_and_others_who_take_it_are_refused() {
+    fn a_name_belongs_to_its_certificate_and_others_that_use_it_are_refused() {
         let mut roster = roster();
         let rogue = Some(peer("desk-9"));
         handle_arrival(&mut roster, key("desk-2", 'b'), 1.0);
@@ -557,7 +557,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_told_counts_once_and_from_the_station_itself() {
+    fn a_report_counts_once_and_only_from_the_station_itself() {
         let mut roster = roster();
         let (own, rogue) = (
             Arc::new(certificate("desk-2")),
@@ -604,7 +604,7 @@ mod tests {
     }
 
     #[test]
-    fn only_those_that_changed_are_told_anew() {
+    fn only_changed_members_are_reported_again() {
         let mut roster = roster();
         handle_arrival(&mut roster, key("desk-2", 'b'), 1.0);
         let before = roster.members();

@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn a_request_is_read_by_the_station_that_is_asked_and_only_once() {
+    fn a_request_is_read_only_once_and_only_by_its_recipient() {
         let [asker, asked, _] = identities();
         let meetings = Meetings::default();
         let half = Half::new(&asker).unwrap();
@@ -214,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn a_member_that_answers_for_another_one_is_told_nothing() {
+    fn a_member_that_answers_for_another_one_learns_nothing() {
         let [asker, asked, thief] = identities();
         let half = Half::new(&asker).unwrap();
         let (key, signature) = Meetings::default()
@@ -230,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn a_request_of_a_stranger_is_refused_with_why() {
+    fn a_request_of_a_stranger_is_refused_with_the_reason() {
         let [_, asked, _] = identities();
         let [stranger, ..] = identities();
         let meetings = Meetings::default();
@@ -247,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn a_flood_of_those_who_only_begin_leaves_room_for_one_who_asks() {
+    fn a_flood_of_unfinished_handshakes_leaves_room_for_a_real_request() {
         let [asker, asked, _] = identities();
         let meetings = Meetings::default();
         let flood = Half::new(&asker).unwrap().public;

@@ -211,7 +211,7 @@ mod tests {
     }
 
     #[test]
-    fn of_two_stations_that_meet_for_the_first_time_one_tells_the_other() {
+    fn when_two_stations_meet_for_the_first_time_one_informs_the_other() {
         let [mut one, mut other] = [settled("a"), settled("b")];
         one.handle_arrival(&key("b"), at(4));
         other.handle_arrival(&key("a"), at(4));
@@ -220,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn a_station_that_comes_back_is_told_by_all() {
+    fn a_returning_station_is_informed_by_all() {
         let mut settled = settled("b");
         settled.handle_arrival(&key("a"), at(4));
         settled.handle_departure(&key("a"));
@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn one_that_does_not_answer_is_told_again_while_it_is_there() {
+    fn a_station_that_does_not_answer_is_informed_again_while_it_is_present() {
         let mut settled = settled("a");
         settled.handle_arrival(&key("b"), at(4));
         assert_eq!(due(&mut settled, at(4)), ["b"]);
@@ -242,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn a_station_that_stood_still_or_slept_asks_all_before_it_is_settled_again() {
+    fn a_suspended_station_asks_all_others_before_it_is_settled_again() {
         // A frozen process sees the monotonic clock advance; a sleeping computer perhaps only the
         // system's clock.
         for (now, clock_now) in [(at(60), clock(60)), (at(4), clock(60))] {

@@ -167,7 +167,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_nearest_point_is_as_near_as_by_looking_at_all_of_them(
+        fn the_nearest_point_is_that_of_an_exhaustive_search(
             mut points in proptest::collection::vec(point(), 1..80),
             p in point(),
         ) {

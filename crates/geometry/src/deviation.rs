@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_drawn_is_infinitely_wrong_and_nothing_wanted_is_right() {
+    fn an_empty_drawing_deviates_infinitely_unless_nothing_was_wanted() {
         let wanted = [line(&[(0.0, 0.0), (8.0, 0.0)])];
         assert_eq!(deviation(&wanted, &[]).missed.distance_mm, f64::INFINITY);
         assert_eq!(deviation(&[], &[]).largest_mm(), 0.0);
@@ -224,7 +224,7 @@ mod tests {
     }
 
     #[test]
-    fn strokes_on_each_other_are_compared_with_few_of_them() {
+    fn overlapping_strokes_are_compared_with_few_of_them() {
         let wanted = vec![line(&[(0.0, 0.0), (11.0, 17.0), (20.0, 3.0)]); 4000];
         let drawn = drawn(&wanted);
         for (path, other) in [(&drawn, &wanted), (&wanted, &drawn), (&wanted, &wanted)] {

@@ -93,7 +93,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_bent_board_that_was_touched_in_a_grid_is_known_between_the_places() {
+    fn the_heights_of_a_bent_board_are_interpolated_between_the_touched_places() {
         let board = |x: f64, y: f64| 2.0 * (x / 200.0).powi(2) - 1.5 * (y / 120.0).powi(2) + 0.3;
         let grid =
             (0..5).flat_map(|i| (0..4).map(move |j| [f64::from(i) * 50.0, f64::from(j) * 40.0]));
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn beyond_the_places_it_stays_as_high_as_on_its_edge() {
+    fn outside_the_touched_places_it_is_as_high_as_at_their_edge() {
         let known = [
             [0.0, 0.0, 0.0],
             [10.0, 0.0, 1.0],
@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn places_that_span_no_surface_make_none() {
+    fn places_that_span_no_surface_give_none() {
         assert_eq!(HeightMap::through(&[[0.0; 3], [1.0, 0.0, 0.0]]), None);
         let line = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 2.0, 1.0]];
         assert_eq!(HeightMap::through(&line), None);
@@ -135,7 +135,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn it_goes_through_what_is_known_and_never_is_no_number(
+        fn it_passes_through_the_known_places_and_is_always_finite(
             heights in proptest::collection::vec(-3.0..3.0, 12),
             x in -400.0..400.0,
             y in -400.0..400.0,

@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finite_has_no_answer() {
+    fn infinite_and_nan_entries_have_no_answer() {
         for number in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert_eq!(solve(&[[1.0, 0.0], [0.0, number]], &[1.0, 1.0]), None);
             assert_eq!(solve(&[[1.0, number], [0.0, 1.0]], &[1.0, 1.0]), None);

@@ -77,27 +77,27 @@ mod tests {
     }
 
     #[test]
-    fn a_chance_of_one_percent_comes_once_in_a_hundred_times() {
+    fn a_chance_of_one_percent_occurs_once_in_a_hundred_times() {
         let mut random = Random::sequence(7, 0);
         let hits = (0..1_000_000).filter(|_| random.chance(1.0)).count();
         assert!((9_500..10_500).contains(&hits), "{hits}");
     }
 
     #[test]
-    fn a_hundred_percent_is_always() {
+    fn a_chance_of_a_hundred_percent_always_occurs() {
         let mut random = Random::sequence(1, 2);
         assert!((0..10_000).all(|_| random.chance(100.0)));
     }
 
     #[test]
-    fn every_number_below_a_count_comes_and_no_other() {
+    fn every_number_below_a_count_occurs_and_no_other() {
         let mut random = Random::new(1);
         let seen = (0..1000).fold(0_u32, |seen, _| seen | 1 << random.below(8));
         assert_eq!(seen, 0xFF);
     }
 
     #[test]
-    fn other_sequences_of_a_seed_are_others() {
+    fn different_sequences_of_a_seed_differ() {
         let first = |seed, sequence| Random::sequence(seed, sequence).number();
         assert_ne!(first(1, 0), first(1, 1));
         assert_ne!(first(1, 0), first(2, 0));

@@ -163,7 +163,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn finds_the_same_nearest_item_as_looking_at_all_of_them(
+        fn the_nearest_item_is_that_of_an_exhaustive_search(
             segments in proptest::collection::vec((point(), point()), 1..80),
             removed in proptest::collection::vec(any::<bool>(), 80),
             p in point(),
@@ -184,7 +184,7 @@ mod tests {
             for near in 0..=u32::try_from(segments.len()).unwrap_or(0) {
                 let found = index.nearest_from(near, p, 0.0).map(|found| found.1.sqrt());
                 let best = best.map(|found| found.1.sqrt());
-                // If a box ends exactly at the nearest point, rounding may exclude the item behind
+                // If a box ends exactly at the nearest point, rounding may exclude the item after it
                 // it.
                 let same = found.zip(best).is_none_or(|(found, best)| (found - best).abs() < 1e-6);
                 prop_assert!(same && found.is_some() == best.is_some(), "{found:?}, not {best:?}");

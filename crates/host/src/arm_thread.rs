@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn a_panic_where_the_arm_is_stops_the_arm_at_once_and_ends_the_station() {
+    async fn a_panic_in_the_arm_thread_stops_the_arm_at_once_and_ends_the_station() {
         let (near, mut far) = UnixStream::pair().unwrap();
         let panic_stop = Arc::new(PanicStop::default());
         panic_stop.note(Hazards {
@@ -242,7 +242,7 @@ mod tests {
 
     #[cfg(target_os = "linux")]
     #[tokio::test]
-    async fn the_arm_goes_before_the_check_of_a_job() {
+    async fn the_arm_has_priority_over_the_check_of_a_job() {
         use rustix::process::{getpriority_process, setpriority_process};
 
         let niceness = || getpriority_process(None).unwrap();
@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn a_failure_of_what_the_arm_depends_on_ends_the_station_and_is_told() {
+    async fn a_failure_of_something_the_arm_depends_on_ends_the_station_and_is_reported() {
         let (near, _far) = tokio::io::duplex(4096);
         let panic_stop = Arc::new(PanicStop::default());
         let (thread, own) = at_work(Link::over_stream(near), &panic_stop);

@@ -592,7 +592,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_job_is_over_or_paused_from_when_it_has_run_and_not_before() {
+    fn a_job_is_over_or_paused_only_after_it_has_run() {
         let mut watch = JobWatch::new(7);
         let mut handle = |job, phase| {
             let notice = Notice {

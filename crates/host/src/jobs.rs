@@ -576,7 +576,7 @@ mod tests {
     use super::*;
 
     #[tokio::test]
-    async fn a_panic_where_the_journal_is_written_ends_the_station() {
+    async fn a_panic_while_the_journal_is_written_ends_the_station() {
         let (driver, mut messages) = mpsc::channel(1);
         std::thread::spawn(move || watch(&driver, || panic!("the disk is made of cheese")));
         let Some(Message::Failed(text)) = messages.recv().await else {

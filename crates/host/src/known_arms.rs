@@ -160,7 +160,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_was_found_of_an_arm_is_known_the_next_time() {
+    fn findings_about_an_arm_are_known_the_next_time() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("arms.toml");
         let mut arms = KnownArms::read(&file).unwrap();
@@ -196,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_was_spoiled_is_named() {
+    fn a_damaged_file_is_named() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("arms.toml");
         fs::write(&file, "[arm]\ndialect = \"klingon\"").unwrap();

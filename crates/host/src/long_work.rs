@@ -96,7 +96,7 @@ mod tests {
 
     #[cfg(target_os = "linux")]
     #[tokio::test]
-    async fn long_work_gives_way_to_the_arm() {
+    async fn long_work_yields_to_the_arm() {
         let niceness = run_long(|| rustix::process::getpriority_process(None)).await;
         assert!(niceness.is_ok_and(|niceness| niceness.is_ok_and(|n| n >= 10)));
     }

@@ -269,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn a_dialect_that_is_found_behind_the_first_state_is_what_the_recording_is_of() {
+    fn a_dialect_found_after_the_first_state_is_saved_in_the_recording() {
         let folder = tempfile::tempdir().expect("there is room");
         let start = jiff::Timestamp::UNIX_EPOCH;
         let recorder = Recorder::start(folder.path(), Limits::DEFAULT, About::default(), start);
@@ -300,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    fn a_state_that_says_something_new_is_recorded_at_once() {
+    fn a_state_with_new_content_is_recorded_at_once() {
         let mut states: Vec<_> = hour().take(100).collect();
         for state in &mut states[50..] {
             state.clients = 2;

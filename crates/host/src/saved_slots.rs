@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn slots_go_on_where_they_were_when_the_station_comes_back() {
+    fn slots_continue_after_a_restart_of_the_station() {
         let folder = tempfile::tempdir().unwrap();
         let kept = SavedSlots::at(&folder.path().join("slots.toml"));
         assert_eq!(kept.read(5).unwrap(), []);
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_was_spoiled_is_named() {
+    fn a_damaged_file_is_named() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("slots.toml");
         std::fs::write(&file, "[[slot]]\nstudent = 5").unwrap();

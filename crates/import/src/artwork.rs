@@ -32,9 +32,9 @@ impl Artwork {
     /// Adds the content of another page. Layers of the same name, colour and speed are merged.
     pub fn add(&mut self, other: Self) {
         for mut layer in other.layers {
-            let same = |it: &&mut Layer| {
+            let same = |existing: &&mut Layer| {
                 let pen = |layer: &Layer| (layer.color, layer.speed_mm_s, layer.is_burned);
-                it.name == layer.name && pen(it) == pen(&layer)
+                existing.name == layer.name && pen(existing) == pen(&layer)
             };
             match self.layers.iter_mut().find(same) {
                 Some(same) => {

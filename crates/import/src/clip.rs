@@ -435,7 +435,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_far_outside_goes_and_what_is_deep_inside_stays() {
+    fn distant_strokes_are_removed_and_inner_ones_stay() {
         let wide = region(&[square(-100.0, 100.0)], FillRule::NonZero);
         assert_eq!(cut(&wide, square(1.0, 2.0)), [square(1.0, 2.0)]);
         assert_eq!(cut(&wide, square(300.0, 400.0)), []);

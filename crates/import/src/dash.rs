@@ -184,7 +184,7 @@ mod tests {
     }
 
     #[test]
-    fn an_offset_begins_further_on_in_the_pattern() {
+    fn an_offset_starts_further_along_the_pattern() {
         assert_eq!(
             dashes(&[3.0, 2.0], 1.0),
             [(0.0, 2.0), (4.0, 7.0), (9.0, 10.0)]
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn an_odd_pattern_swaps_dashes_and_gaps_each_time_round() {
+    fn an_odd_pattern_swaps_dashes_and_gaps_in_each_round() {
         assert_eq!(dashes(&[4.0], 0.0), [(0.0, 4.0), (8.0, 10.0)]);
     }
 
@@ -206,8 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn fitted_dashes_have_whole_turns_from_corner_to_corner_and_lines_that_are_too_short_stay_whole()
-     {
+    fn fitted_dashes_have_whole_periods_between_corners_and_lines_that_are_too_short_stay_whole() {
         let fitted = |points: &[(f64, f64)]| {
             let points = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
             let limits = [0.5, 1000.0];

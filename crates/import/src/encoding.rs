@@ -70,7 +70,7 @@ mod tests {
     }
 
     #[test]
-    fn an_xml_file_is_read_in_the_encoding_that_it_states() {
+    fn an_xml_file_is_read_in_its_declared_encoding() {
         let latin = b"<?xml version=\"1.0\" encoding='ISO-8859-1'?><svg id=\"K\xfcche\"/>";
         assert!(read(latin).ends_with("<svg id=\"Küche\"/>"));
         let cyrillic = b"<?xml version=\"1.0\" encoding = \"windows-1251\" ?><svg id=\"\xc4\"/>";
@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn a_text_in_sixteen_bits_is_read_with_a_mark_and_without_one() {
+    fn a_text_in_utf_16_is_read_with_and_without_a_byte_order_mark() {
         let text = "<?xml version=\"1.0\" encoding=\"UTF-16\"?><svg id=\"Küche\"/>";
         let little: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
         let big: Vec<u8> = text.encode_utf16().flat_map(u16::to_be_bytes).collect();
@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn what_states_no_encoding_stays_as_it_is() {
+    fn a_text_without_a_declared_encoding_is_unchanged() {
         let plain: [&[u8]; 5] = [
             b"",
             b"G1 X1 (Fr\xe4ser)",
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn an_encoding_that_is_not_known_or_not_kept_to_is_reported() {
+    fn an_unknown_or_violated_encoding_is_reported() {
         for (bytes, message) in [
             (
                 &b"<?xml encoding=\"klingon\"?><svg/>"[..],

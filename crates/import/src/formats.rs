@@ -279,7 +279,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_format_is_distinguished_from_how_it_begins() {
+    fn each_format_is_recognised_by_its_beginning() {
         for (start, name) in [
             ("", Some("SVG")),
             ("\u{FEFF}<?xml version=\"1.0\"?>", Some("SVG")),
@@ -334,7 +334,7 @@ mod tests {
     }
 
     #[test]
-    fn the_page_about_drawing_states_what_becomes_of_each_format() {
+    fn the_page_about_drawing_documents_each_format() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
         let page = fs::read_to_string(folder.join("../../docs/drawing.md")).unwrap();
         let rows = page.lines().filter(|line| line.starts_with("| `."));

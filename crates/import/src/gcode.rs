@@ -46,14 +46,14 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
     let mut sketch = Sketch::new(text, options)?;
     let mut statistics = MoveStatistics::default();
     let mut moves = 0;
-    let (tool, laser) = run(text, sketch.warnings(), |it| {
+    let (tool, laser) = run(text, sketch.warnings(), |motion| {
         moves += 1;
         if moves > MAX_MOVES {
             let found = format!("more than {MAX_MOVES} moves");
             let expected = "at most that in a drawing; simplify it, or draw it in parts";
-            return Err(SourceError::found(text, it.at, found, expected));
+            return Err(SourceError::found(text, motion.at, found, expected));
         }
-        statistics.count(it);
+        statistics.count(motion);
         Ok(())
     })?;
     let switch = options.burns.then(|| statistics.laser_switch(laser));

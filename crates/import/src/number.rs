@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_number_ends_where_the_next_letter_is_none_of_its_own() {
+    fn a_number_ends_before_the_next_letter_that_is_not_part_of_it() {
         for (text, found) in [
             ("1c1", Some((1.0, 1))),
             ("-0.5V2", Some((-0.5, 4))),

@@ -46,14 +46,14 @@ mod tests {
     }
 
     #[test]
-    fn what_was_packed_is_unpacked_and_the_rest_stays() {
+    fn packed_data_is_unpacked_and_other_data_is_unchanged() {
         assert_eq!(unpacked(packed(b"<svg/>")).unwrap(), b"<svg/>");
         assert_eq!(unpacked(b"<svg/>".to_vec()).unwrap(), b"<svg/>");
         assert_eq!(unpacked(Vec::new()).unwrap(), b"");
     }
 
     #[test]
-    fn a_file_that_is_cut_off_or_holds_too_much_is_refused() {
+    fn a_truncated_or_oversized_file_is_refused() {
         let whole = packed(b"<svg></svg>");
         let error = unpacked(whole[..whole.len() - 9].to_vec()).unwrap_err();
         let error = error.to_string();

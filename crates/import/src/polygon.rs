@@ -179,12 +179,12 @@ mod tests {
     }
 
     #[test]
-    fn so_few_corners_cannot_be_entangled() {
+    fn a_ring_of_few_corners_cannot_be_entangled() {
         const { assert!(FEW_CORNERS * FEW_CORNERS <= MAX_CROSSINGS) };
     }
 
     #[test]
-    fn a_ring_that_crosses_itself_millions_of_times_is_left_alone() {
+    fn a_ring_that_crosses_itself_millions_of_times_is_not_changed() {
         let across = |i| match (i % 2, f64::from(i) * 0.01) {
             (0, y) => Point::new(0.0, y),
             (_, y) => Point::new(90.0, 80.0 - y),
@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn combs_that_cross_too_often_are_left_alone_and_smaller_ones_are_cut() {
+    fn combs_that_cross_too_often_are_not_changed_and_smaller_ones_are_cut() {
         let cut = |teeth| {
             let [one, other] = [false, true]
                 .map(|turned| Polygons::new(&[comb(teeth, turned)], FillRule::NonZero).unwrap());
@@ -218,14 +218,14 @@ mod tests {
     }
 
     #[test]
-    fn edges_that_would_be_cut_into_too_many_pieces_are_left_alone() {
+    fn edges_that_would_be_cut_into_too_many_pieces_are_not_changed() {
         assert!(Polygons::new(&[comb(20_000, true)], FillRule::NonZero).is_none());
         assert!(Polygons::new(&[comb(20_000, false)], FillRule::NonZero).is_some());
     }
 
     proptest! {
         #[test]
-        fn a_point_is_in_the_cut_area_where_it_is_in_both(
+        fn a_point_is_in_the_cut_area_if_it_is_in_both(
             one in proptest::collection::vec((0.0..50.0_f64, 0.0..50.0_f64), 3..12),
             other in proptest::collection::vec((0.0..50.0_f64, 0.0..50.0_f64), 3..12),
             even_odd in any::<bool>(),

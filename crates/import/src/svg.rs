@@ -180,8 +180,8 @@ impl<'a> TreeWarnings<'a> {
         let named = |node: &Node<'_, '_>, name: &str| node.tag_name().name() == name;
         let flowed = elements().filter(|element| named(element, "flowRoot"));
         self.flowed.store(flowed.count(), Ordering::Relaxed);
-        let has_text = |it: &Node<'_, '_>| {
-            let mut texts = it.descendants().filter_map(|node| node.text());
+        let has_text = |element: &Node<'_, '_>| {
+            let mut texts = element.descendants().filter_map(|node| node.text());
             texts.any(|text| !text.trim().is_empty())
         };
         let foreign =

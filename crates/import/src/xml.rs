@@ -295,7 +295,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_drawing_has_is_read() {
+    fn unusual_but_valid_xml_is_read() {
         let text = "<!-- a = ' --><a b=\"1=2\" c='\n'>&amp;<![CDATA[ = ' ]]></a>";
         assert_eq!(tree(text, false).expect("XML").descendants().count(), 4);
         let many = format!("<!-- {} --><a/>", "= ".repeat(1000));
@@ -303,7 +303,7 @@ mod tests {
     }
 
     #[test]
-    fn a_text_that_ends_too_soon_names_the_innermost_element_that_is_not_closed() {
+    fn a_truncated_text_is_reported_with_its_innermost_open_element() {
         for (text, message) in [
             (
                 "<a>\n <b><c/></b><d e='>'>",
@@ -355,7 +355,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quote_that_is_missing_is_not_taken_for_an_end_that_is() {
+    fn a_missing_quote_is_not_mistaken_for_a_missing_end() {
         for text in ["<a>\n  <b c='>\n<d e=''></b></a>", "<a b='&c;'><d"] {
             let message = tree(text, false).expect_err("no XML").to_string();
             assert!(message.contains("not well-formed XML"), "{message}");
@@ -383,7 +383,7 @@ mod tests {
     }
 
     #[test]
-    fn a_text_that_is_too_large_for_any_tree_is_reported_by_its_size() {
+    fn a_text_too_large_for_any_tree_is_reported_by_its_size() {
         let text = format!("<x>{}</x>", " ".repeat(100_000_000));
         refused(
             &text,
@@ -392,7 +392,7 @@ mod tests {
     }
 
     #[test]
-    fn the_name_of_an_attribute_stands_before_its_sign_whatever_stands_before_that() {
+    fn the_name_of_an_attribute_is_found_before_its_equals_sign() {
         let name = |text: &str| {
             let at = text.rfind('=').expect("a sign");
             let name = name_before(text.as_bytes(), at);
@@ -405,7 +405,7 @@ mod tests {
     }
 
     #[test]
-    fn elements_of_more_attributes_and_names_than_anybody_writes_are_refused() {
+    fn elements_with_too_many_attributes_or_names_are_refused() {
         let attributes = |count: usize| {
             let each: Vec<String> = (0..count).map(|i| format!(" a{i}=\"\"")).collect();
             each.concat()

@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn letters_that_look_alike_are_as_tall_in_all_alphabets() {
+    fn letters_of_the_same_shape_have_the_same_height_in_all_alphabets() {
         for font in StrokeFont::ALL {
             for (latin, others) in [('H', "ΗН"), ('M', "ΜМ"), ('P', "ΡР"), ('T', "ΤТ")] {
                 // The Gothic P descends below the baseline.
@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn capitals_stand_on_the_base_line_and_are_as_tall_as_said() {
+    fn capitals_stand_on_the_base_line_and_have_the_given_height() {
         for font in StrokeFont::ALL {
             let strokes = font.glyph('H').unwrap().strokes;
             let bounds = bounds(strokes.into_iter().flatten());

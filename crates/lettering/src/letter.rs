@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mark_stands_above_its_letter_and_a_cedilla_below() {
+    fn a_mark_is_above_its_letter_and_a_cedilla_below() {
         for font in StrokeFont::ALL {
             let top = |c| Letter::of(font, c).unwrap().bounds().y0;
             let foot = |c| Letter::of(font, c).unwrap().bounds().y1;
@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn what_no_european_language_needs_cannot_be_made() {
+    fn letters_of_no_european_language_cannot_be_made() {
         assert_eq!(Letter::of(StrokeFont::Sans, '漢'), None);
         assert_eq!(Letter::of(StrokeFont::Sans, '\u{7}'), None);
     }

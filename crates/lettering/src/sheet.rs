@@ -270,7 +270,7 @@ mod tests {
     }
 
     #[test]
-    fn a_letter_is_drawn_once_and_its_words_can_be_read_by_others() {
+    fn a_letter_is_drawn_once_and_its_words_can_be_read_by_other_programs() {
         let text = |sheet: &mut Sheet| {
             sheet.text(
                 [0.0, 3.0],

@@ -153,7 +153,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_corner_stays_and_the_way_does_not_stray(
+        fn every_corner_stays_and_the_line_does_not_stray(
             corners in proptest::collection::vec((-20.0..20.0_f64, -20.0..20.0_f64), 1..12),
         ) {
             let corners = points(&corners);

@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn a_text_is_as_wide_and_as_tall_as_said() {
+    fn a_text_has_the_given_width_and_height() {
         let ink = ink("HuH", Anchor::Left);
         assert!((ink.width() - width("HuH", 6.0)).abs() < 0.5, "{ink:?}");
         assert!(
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn a_text_is_held_at_its_end_or_in_its_middle() {
+    fn a_text_is_aligned_at_its_end_or_in_its_middle() {
         let [left, middle, right] =
             [Anchor::Left, Anchor::Middle, Anchor::Right].map(|anchor| ink("HH", anchor));
         assert!(
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_written_is_a_box() {
+    fn a_missing_character_is_drawn_as_a_box() {
         assert!((ink("漢", Anchor::Left).height() - 6.0).abs() < 0.1);
     }
 }

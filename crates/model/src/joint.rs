@@ -60,7 +60,7 @@ impl Axis {
 /// How far a joint turns that follows so, where the driven ones keep to the limits.
 pub(crate) fn span_of_follower(rear: f64, fore: f64, limits: &Limits) -> Span<Degrees> {
     if rear * fore == 0.0 {
-        let [a, b] = [&limits.rear, &limits.fore].map(|it| (it.min.0, it.max.0));
+        let [a, b] = [&limits.rear, &limits.fore].map(|span| (span.min.0, span.max.0));
         let ends = if rear == 0.0 {
             [fore * b.0, fore * b.1]
         } else {

@@ -26,10 +26,10 @@ impl Model {
             "rear_arm_mm": lengths.rear_arm_mm,
             "forearm_mm": lengths.forearm_mm,
             "pivot_above_table_mm": lengths.pivot_above_table_mm,
-            "tool": self.tool.map(|it| json!({
-                "kind": it.kind().name(),
-                "reach_mm": it.kind().reach().0,
-                "length_mm": it.length().0,
+            "tool": self.tool.map(|tool| json!({
+                "kind": tool.kind().name(),
+                "reach_mm": tool.kind().reach().0,
+                "length_mm": tool.length().0,
             })),
             "limits": limits(&self.limits),
             "joints": self.joints.iter().map(joint).collect::<Vec<_>>(),
@@ -50,8 +50,8 @@ fn limits(limits: &Limits) -> Value {
         reach,
         z,
     } = limits;
-    let angle = |it: &Span<dobot_arm::Degrees>| span(it.min.0, it.max.0);
-    let length = |it: &Span<dobot_arm::Millimeters>| span(it.min.0, it.max.0);
+    let angle = |range: &Span<dobot_arm::Degrees>| span(range.min.0, range.max.0);
+    let length = |range: &Span<dobot_arm::Millimeters>| span(range.min.0, range.max.0);
     json!({
         "base_deg": angle(base),
         "rear_deg": angle(rear),
@@ -65,7 +65,7 @@ fn limits(limits: &Limits) -> Value {
 
 /// An infinite end is no limit; JSON has no such number.
 fn span(min: f64, max: f64) -> Value {
-    json!([min, max].map(|it| it.is_finite().then_some(it)))
+    json!([min, max].map(|limit| limit.is_finite().then_some(limit)))
 }
 
 fn joint(joint: &Joint) -> Value {
@@ -79,11 +79,11 @@ fn joint(joint: &Joint) -> Value {
         Turn::Fixed => {}
         Turn::Driven {
             axis,
-            span: it,
+            span: range,
             deg_s,
         } => {
             value["axis"] = name_of(axis).into();
-            value["range_deg"] = span(it.min.0, it.max.0);
+            value["range_deg"] = span(range.min.0, range.max.0);
             value["speed_deg_s"] = deg_s.into();
         }
         Turn::Follows { rear, fore } => {

@@ -34,8 +34,8 @@ impl Model {
 
     /// A part and all that hangs from it.
     fn body(&self, xml: &mut XmlWriter, name: &str, joint: Option<&Joint>) {
-        let at = metres(joint.map_or([0.0; 3], |it| it.at_mm));
-        if joint.is_some_and(|it| it.turn == Turn::Fixed) {
+        let at = metres(joint.map_or([0.0; 3], |joint| joint.at_mm));
+        if joint.is_some_and(|joint| joint.turn == Turn::Fixed) {
             return element(xml, "site", &[("name", name), ("pos", &at)]);
         }
         xml.start_element("body");
@@ -48,7 +48,7 @@ impl Model {
         if name == "wrist" || name == "tool" {
             element(xml, "site", &[("name", name)]);
         }
-        for part in self.parts.iter().filter(|it| it.name == name) {
+        for part in self.parts.iter().filter(|part| part.name == name) {
             for shape in &part.shapes {
                 geom(xml, shape);
             }
@@ -143,7 +143,7 @@ fn geom(xml: &mut XmlWriter, shape: &Shape) {
     let at = metres(shape.at_mm);
     // MuJoCo takes half lengths.
     let (kind, size) = match shape.solid {
-        Solid::Box { size_mm } => ("box", metres(size_mm.map(|it| it / 2.0))),
+        Solid::Box { size_mm } => ("box", metres(size_mm.map(|edge_mm| edge_mm / 2.0))),
         Solid::Pin { radius_mm, long_mm } | Solid::Post { radius_mm, long_mm } => {
             ("cylinder", metres([radius_mm, long_mm / 2.0]))
         }

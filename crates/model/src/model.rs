@@ -49,7 +49,7 @@ impl Model {
     /// The stock arm with a tool, or without one; then it ends at the wrist.
     #[must_use]
     pub fn new(tool: Option<MountedTool>) -> Self {
-        let servo_mm = tool.map(|it| it.kind().reach().0);
+        let servo_mm = tool.map(|tool| tool.kind().reach().0);
         let mut parts = vec![
             part("base", part::base()),
             part("turret", part::turret()),
@@ -82,7 +82,9 @@ impl Model {
 
     /// The joints whose parent is this part.
     pub(crate) fn joints_of(&self, parent: &str) -> impl Iterator<Item = &Joint> {
-        self.joints.iter().filter(move |it| it.parent == parent)
+        self.joints
+            .iter()
+            .filter(move |joint| joint.parent == parent)
     }
 }
 
@@ -227,7 +229,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_tool_is_where_the_kinematics_bring_it(joints in joints()) {
+        fn the_tool_is_at_the_place_given_by_the_kinematics(joints in joints()) {
             for kind in Tool::ALL {
                 let tool = MountedTool::new(kind, Millimeters(50.0)).expect("it is allowed");
                 let model = Model::new(Some(tool));
@@ -245,7 +247,7 @@ mod tests {
         }
 
         #[test]
-        fn every_pin_holds_its_two_parts_together_wherever_the_arm_is(joints in joints()) {
+        fn every_pin_holds_its_two_parts_together_in_every_pose(joints in joints()) {
             let model = Model::new(None);
             for pin in model.pins {
                 let [a, b] = [0, 1].map(|n| place(&model, pin.parts[n], pin.at_mm[n], &joints));

@@ -59,7 +59,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_tool_that_ends_within_the_servo_or_is_no_number_is_refused() {
+    fn a_tool_that_ends_within_the_servo_or_has_no_valid_length_is_refused() {
         for found in [0.0, 19.9, 200.1, -40.0, f64::NAN, f64::INFINITY] {
             let error = MountedTool::new(Tool::Laser, Millimeters(found)).expect_err("it is bad");
             assert!(error.to_string().contains("20 to 200 mm"), "{error}");

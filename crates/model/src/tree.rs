@@ -128,7 +128,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_frames_bring_the_tool_to_where_the_kinematics_do(
+        fn the_frames_place_the_tool_as_the_kinematics_do(
             base in -180.0..180.0, rear in -5.0..85.0, fore in -10.0..95.0, servo in -90.0..90.0,
         ) {
             let tool = MountedTool::new(Tool::Gripper, Millimeters(50.0)).expect("it is allowed");

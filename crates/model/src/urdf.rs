@@ -31,7 +31,7 @@ impl Model {
             link(&mut xml, part);
         }
         for joint in self.tree() {
-            if !self.parts.iter().any(|it| it.name == joint.child) {
+            if !self.parts.iter().any(|part| part.name == joint.child) {
                 element(&mut xml, "link", &[("name", &joint.child)]);
             }
             self.urdf_joint(&mut xml, &joint);
@@ -74,7 +74,7 @@ fn start(xml: &mut XmlWriter, kind: &str, joint: &TreeJoint) {
 }
 
 fn turning(xml: &mut XmlWriter, axis: Axis, span: &Span<Degrees>, deg_s: f64) {
-    let [lower, upper] = radians(span).map(|it| numbers([it]));
+    let [lower, upper] = radians(span).map(|limit| numbers([limit]));
     let velocity = numbers([deg_s.to_radians()]);
     element(xml, "axis", &[("xyz", &numbers(axis.vector()))]);
     element(
@@ -121,7 +121,7 @@ fn place(xml: &mut XmlWriter, shape: &Shape) {
     match shape.solid {
         Solid::Box { size_mm } => element(xml, "box", &[("size", &metres(size_mm))]),
         Solid::Pin { radius_mm, long_mm } | Solid::Post { radius_mm, long_mm } => {
-            let [radius, length] = [radius_mm, long_mm].map(|it| metres([it]));
+            let [radius, length] = [radius_mm, long_mm].map(|length_mm| metres([length_mm]));
             element(xml, "cylinder", &[("radius", &radius), ("length", &length)]);
         }
     }

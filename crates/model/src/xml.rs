@@ -38,12 +38,12 @@ pub(crate) fn numbers(values: impl IntoIterator<Item = f64>) -> String {
 
 /// Lengths in mm as metres.
 pub(crate) fn metres(values_mm: impl IntoIterator<Item = f64>) -> String {
-    numbers(values_mm.into_iter().map(|it| it / MM_PER_M))
+    numbers(values_mm.into_iter().map(|value_mm| value_mm / MM_PER_M))
 }
 
 /// The ends of a span in radians.
 pub(crate) fn radians(span: &Span<Degrees>) -> [f64; 2] {
-    [span.min, span.max].map(|it| it.0.to_radians())
+    [span.min, span.max].map(|end| end.0.to_radians())
 }
 
 /// The common header.

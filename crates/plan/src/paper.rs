@@ -233,7 +233,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_plane_goes_through_the_three_touched_points() {
+    fn the_plane_passes_through_the_three_touched_points() {
         let touched = [
             [150.0, -80.0, -41.0],
             [150.0, 80.0, -39.5],
@@ -251,7 +251,7 @@ mod tests {
     }
 
     #[test]
-    fn points_on_a_line_steep_ones_and_numbers_that_are_none_are_refused() {
+    fn collinear_steep_and_invalid_points_are_refused() {
         let on_a_line = [
             [150.0, 0.0, -40.0],
             [200.0, 1.0, -40.0],

@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn a_lone_line_takes_what_the_trapezoid_says() {
+    fn the_duration_of_a_single_line_is_that_of_the_trapezoid() {
         // 40 mm at 40 mm/s and 100 mm/s2: 0.4 s up, 0.4 s down over 8 mm each, 24 mm at full speed.
         let plan = plan(&[line(&[(200.0, 0.0), (240.0, 0.0)])], NO_LINK);
         let durations: Vec<f64> = plan.durations().collect();
@@ -264,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn short_vectors_are_as_slow_as_the_link() {
+    fn short_vectors_are_limited_by_the_link() {
         let points: Vec<(f64, f64)> = (0..100)
             .map(|i| (200.0 + 0.1 * f64::from(i), 0.0))
             .collect();
@@ -275,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn a_short_stroke_is_drawn_as_fast_as_the_vectors_that_wait_in_the_arm_allow() {
+    fn a_short_stroke_is_drawn_as_fast_as_the_queue_of_the_arm_allows() {
         // A circle of 1 mm in eight vectors: those that fit the queue came while the pen was
         // lowered.
         let at = |i: i32| Vec2::from_angle(std::f64::consts::FRAC_PI_4 * f64::from(i % 8));
@@ -292,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn rounding_to_single_precision_does_not_add_up() {
+    fn rounding_errors_of_single_precision_do_not_accumulate() {
         let points: Vec<(f64, f64)> = (0..50_000)
             .map(|i| (200.0 + f64::from(i) / 997.0, 0.0))
             .collect();
@@ -323,7 +323,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pass_with_a_message_begins_behind_a_break() {
+    fn a_pass_with_a_message_begins_after_a_break() {
         let mut red = Pass::new(
             DrawingTool::default(),
             vec![line(&[(200.0, 0.0), (210.0, 0.0)])],
@@ -352,7 +352,7 @@ mod tests {
     }
 
     #[test]
-    fn a_laser_gets_to_its_speed_before_a_stroke_and_loses_it_behind() {
+    fn a_laser_accelerates_before_a_stroke_and_brakes_after_it() {
         use MoveKind::{Brake, Burn, RunOut, RunUp, Travel};
         let plan = burned(vec![line(&[(200.0, 0.0), (210.0, 0.0)])], 2);
         let mut kinds: Vec<MoveKind> = plan.moves.iter().map(|vector| vector.kind).collect();
@@ -400,7 +400,7 @@ mod tests {
     }
 
     #[test]
-    fn a_laser_on_a_slope_and_a_laser_beside_a_pen_are_refused() {
+    fn a_laser_on_a_slope_and_a_laser_with_a_pen_are_refused() {
         let strokes = vec![line(&[(200.0, 0.0), (210.0, 0.0)])];
         let laser = Pass::new(DrawingTool::Laser(Laser::default()), strokes.clone());
         let touched = [
@@ -417,7 +417,7 @@ mod tests {
     }
 
     #[test]
-    fn settings_that_make_no_sense_are_refused_with_what_was_found() {
+    fn invalid_settings_are_refused_with_the_found_value() {
         let refused = |tool: DrawingTool, arm_limits: ArmLimits| {
             let pass = Pass::new(tool, vec![line(&[(200.0, 0.0)])]);
             Plan::new(&[pass], &Paper::default(), &arm_limits)
@@ -464,7 +464,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_stock_arm_is_too_coarse_for_is_refused() {
+    fn a_draw_speed_too_low_for_a_stock_arm_is_refused() {
         let strokes = [line(&[(200.0, 0.0), (210.0, 0.0)])];
         let plan = |speed_mm_s, has_ticks| {
             let pass = Pass::new(
@@ -485,7 +485,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_to_draw_is_refused() {
+    fn an_empty_drawing_is_refused() {
         let planned = Plan::new(&[], &Paper::default(), &ArmLimits::default());
         assert_eq!(planned, Err(PlanError::NoStrokes));
     }
@@ -510,7 +510,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn speeds_meet_and_neither_arm_nor_link_is_overdriven(
+        fn speeds_match_and_neither_arm_nor_link_is_overdriven(
             strokes in strokes(),
             period_s in prop_oneof![Just(0.0), Just(0.08)],
         ) {
@@ -537,7 +537,7 @@ mod tests {
         }
 
         #[test]
-        fn the_tool_is_never_seen_to_accelerate_more_than_it_may(
+        fn the_measured_acceleration_of_the_tool_never_exceeds_its_limit(
             strokes in strokes(),
             period_s in prop_oneof![Just(0.0), Just(0.08)],
         ) {
@@ -548,7 +548,7 @@ mod tests {
         }
 
         #[test]
-        fn a_stock_arm_is_not_seen_to_jump_to_another_speed(strokes in strokes()) {
+        fn the_measured_speed_of_a_stock_arm_does_not_jump(strokes in strokes()) {
             let passes = [Pass::new(DrawingTool::default(), strokes)];
             let arm_limits = ArmLimits { has_ticks: true, ..ArmLimits::default() };
             let plan = Plan::new(&passes, &Paper::default(), &arm_limits).unwrap();
@@ -558,7 +558,7 @@ mod tests {
         }
 
         #[test]
-        fn a_stock_arm_is_not_seen_to_jump_at_a_sharp_corner_between_long_lines(
+        fn the_measured_speed_of_a_stock_arm_does_not_jump_at_a_sharp_corner_between_long_lines(
             corners in proptest::collection::vec(point(), 3..30),
         ) {
             let strokes = vec![Stroke::open(corners)];
@@ -575,7 +575,7 @@ mod tests {
         }
 
         #[test]
-        fn every_stroke_is_drawn_where_it_was_wanted(strokes in strokes()) {
+        fn every_stroke_is_drawn_at_its_place(strokes in strokes()) {
             let plan = plan(&strokes, NO_LINK);
             let wanted: Vec<Stroke> = strokes.into_iter().filter(|s| s.length_mm() > 1.0).collect();
             let drawn = plan.paths(MoveKind::Draw);

@@ -66,7 +66,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_a_recording_is_of_survives_the_file() {
+    fn the_description_of_a_recording_survives_the_file() {
         let start: Timestamp = "2026-11-21T12:30:00.25Z".parse().unwrap();
         let real = About {
             program: "dobot 0.1.0".to_owned(),
@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn metadata_of_another_kind_is_not_taken_for_it() {
+    fn metadata_of_another_kind_is_not_mistaken_for_it() {
         let start = Timestamp::UNIX_EPOCH;
         let mut metadata = About::default().metadata(start);
         metadata.name = "camera".to_owned();

@@ -477,7 +477,7 @@ mod tests {
     }
 
     #[test]
-    fn a_message_holds_one_packet_however_the_bytes_came() {
+    fn a_message_holds_one_packet_for_any_chunks_of_bytes() {
         let mut encoder = encoder();
         let two = [target(MovingMode::Jump), target(MovingMode::Jump)].concat();
         let first = Record::ToArm(two[..50].to_vec());
@@ -492,7 +492,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_dialects_read_differently_is_reported_only_when_the_dialect_is_known() {
+    fn commands_that_depend_on_the_dialect_are_decoded_only_when_it_is_known() {
         let mut encoder = encoder();
         let record = Record::ToArm(target(MovingMode::MovL).to_vec());
         let messages = encoder.write(Duration::ZERO, &record).unwrap();
@@ -509,7 +509,7 @@ mod tests {
     }
 
     #[test]
-    fn a_packet_that_is_no_command_says_why() {
+    fn a_packet_that_is_not_a_command_has_the_reason() {
         let mut encoder = encoder();
         let mut packet = target(MovingMode::Jump);
         packet[29..33].copy_from_slice(&7.0_f32.to_le_bytes());

@@ -250,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn a_full_disk_is_an_error_wherever_it_strikes() {
+    fn a_full_disk_is_an_error_at_any_point() {
         let topic = topic(1);
         for room in 0..2000 {
             let written = || -> McapResult<()> {
@@ -276,7 +276,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn no_file_gets_longer_than_was_foreseen(
+        fn no_file_exceeds_its_predicted_size(
             messages in proptest::collection::vec((0..20_usize, 0..3000_usize, any::<bool>()), 1..200),
         ) {
             let topics: Vec<_> = (0..20).map(topic).collect();

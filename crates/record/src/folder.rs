@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_that_is_taken_gets_a_number() {
+    fn an_existing_name_gets_a_number() {
         let folder = tempfile::tempdir().unwrap();
         let names: Vec<_> = (0..11)
             .map(|_| create(folder.path(), noon()).unwrap().0)
@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_that_is_not_there_holds_nothing() {
+    fn a_missing_folder_contains_nothing() {
         assert_eq!(recordings(Path::new("/no/such/folder")).unwrap(), []);
     }
 }

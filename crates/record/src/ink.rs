@@ -281,7 +281,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_drawn_low_is_ink_and_what_lifts_lowers_and_travels_is_none() {
+    fn low_lines_are_ink_and_lifting_lowering_and_travelling_are_not() {
         let mut hand = Hand::new();
         hand.go(5.0, 0.0, 0.0);
         hand.go(0.0, 0.0, -5.0);
@@ -312,7 +312,7 @@ mod tests {
     }
 
     #[test]
-    fn a_long_line_comes_in_pieces_each_of_which_goes_on_where_the_one_before_ended() {
+    fn a_long_line_is_reported_in_pieces_that_join() {
         let mut hand = Hand::new();
         hand.go(0.0, 0.0, -5.0);
         let mut pieces = Vec::new();
@@ -334,7 +334,7 @@ mod tests {
     }
 
     #[test]
-    fn the_oldest_ink_is_taken_back_and_one_who_comes_late_gets_what_is_left() {
+    fn the_oldest_ink_is_removed_and_a_late_subscriber_gets_the_rest() {
         let mut hand = Hand::new();
         hand.go(0.0, 0.0, -5.0);
         let mut there = std::collections::BTreeSet::new();

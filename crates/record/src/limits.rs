@@ -73,7 +73,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn limits_that_leave_no_room_say_how_much_is_needed() {
+    fn limits_that_leave_no_room_report_the_needed_size() {
         let text = |file_bytes, total_bytes| {
             let limits = Limits {
                 file_bytes,

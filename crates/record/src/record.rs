@@ -75,14 +75,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_value_is_never_taken_for_smaller_than_its_text() {
+    fn the_estimated_size_of_a_value_is_never_below_that_of_its_text() {
         let state =
             json!({ "pose": [1.0, 2.0, { "z": 3.0 }], "name": "x".repeat(100), "on": true });
         assert!(size_of_value(&state, usize::MAX) > state.to_string().len());
     }
 
     #[test]
-    fn beyond_the_limit_nobody_counts_on() {
+    fn counting_stops_at_the_limit() {
         let item = json!("x".repeat(100));
         let huge = Value::Array(vec![item; 1000]);
         let size = size_of_value(&huge, 1000);

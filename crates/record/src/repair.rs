@@ -117,13 +117,19 @@ impl Repair {
             Record::Schema { header, data } => writer
                 .add_schema_with_id(header.id, &header.name, &header.encoding, &data)
                 .map(drop),
-            Record::Channel(it) => {
-                if it.topic == RECORDER {
-                    self.recorder = Some(it.id);
+            Record::Channel(channel) => {
+                if channel.topic == RECORDER {
+                    self.recorder = Some(channel.id);
                 }
-                let (topic, encoding) = (&it.topic, &it.message_encoding);
+                let (topic, encoding) = (&channel.topic, &channel.message_encoding);
                 writer
-                    .add_channel_with_id(it.id, it.schema_id, topic, encoding, &it.metadata)
+                    .add_channel_with_id(
+                        channel.id,
+                        channel.schema_id,
+                        topic,
+                        encoding,
+                        &channel.metadata,
+                    )
                     .map(drop)
             }
             Record::Message { header, data } => {

@@ -155,7 +155,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_topic_that_makes_no_sense_is_refused() {
+    fn an_invalid_topic_is_refused() {
         let object = json!({ "type": "object" });
         let refused = |name: &str, schema: &Value| {
             Topic::new(name, "x.X", schema)

@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rest_is_reported_by_its_ends() {
+    fn a_rest_is_given_by_its_first_and_last_sample() {
         let found = track(100, [200.0, 200.0, 200.0, 210.0, 220.0, 220.0, 220.0]);
         assert_eq!(
             xs(&found),
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn of_a_long_motion_no_more_is_kept_than_was_wanted_and_it_is_spread_evenly() {
+    fn a_long_motion_is_reduced_to_the_wanted_number_of_evenly_spread_samples() {
         let found = track(100, (0_u16..10_000).map(f32::from));
         assert!(
             (40..=101).contains(&found.samples.len()),
@@ -191,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_a_track_without_samples() {
+    fn without_samples_there_is_no_track() {
         assert!(track(100, []).samples.is_empty());
     }
 }

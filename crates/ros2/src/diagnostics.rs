@@ -206,7 +206,7 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn an_arm_in_order_is_ok_in_everything() {
+    async fn an_arm_without_faults_is_ok_in_everything() {
         let mut state = state().await;
         // A virtual arm is harmless, so its laser is armed.
         state.laser.armed_for_s = 0.0;
@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn a_lost_link_comes_with_its_remedy() {
+    async fn a_lost_link_is_reported_with_its_remedy() {
         let mut state = state().await;
         state.link.phase = LinkPhase::Lost;
         state.link.remedy = Some("plug the cable in".to_owned());
@@ -238,7 +238,7 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn what_keeps_the_arm_from_moving_is_an_error_with_its_reason() {
+    async fn anything_that_prevents_motion_is_an_error_with_its_reason() {
         let mut state = state().await;
         state.link.phase = LinkPhase::Lost;
         state.trust.trusted = false;

@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn the_tip_hangs_below_the_tool_for_ever() {
+    fn the_tip_is_always_below_the_tool() {
         let fixed = Frames::new("/").transforms(&model(), &Status::AT_ZERO, true);
         let [tip] = &fixed.transforms[..] else {
             panic!("{fixed:?}");
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn another_frame_than_the_base_is_refused_with_the_one_that_is_allowed() {
+    fn a_frame_other_than_the_base_is_refused_with_the_allowed_one() {
         let frames = Frames::new("/desk_3");
         for allowed in ["", "desk_3/base"] {
             assert_eq!(frames.check_base(&Header::now(allowed)), Ok(()));

@@ -204,14 +204,14 @@ mod tests {
     }
 
     #[test]
-    fn nothing_but_zeros_lets_the_button_go() {
+    fn a_twist_of_zeros_releases_the_button() {
         assert_eq!(twist([0.0; 3], [0.0, -0.0, 0.0]), Ok(None));
         assert_eq!(joints(&["base", "servo"], &[0.0, 0.0]), Ok(None));
         assert_eq!(joints(&[], &[]), Ok(None));
     }
 
     #[test]
-    fn what_the_arm_cannot_do_is_refused_by_name_with_what_it_can() {
+    fn an_impossible_motion_is_refused_by_name_with_the_possible_ones() {
         for (found, says) in [
             (
                 twist([0.01, 0.0, 0.01], [0.0; 3]),

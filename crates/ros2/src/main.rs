@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_is_refused_with_what_can() {
+    fn an_invalid_option_is_refused_with_what_is_allowed() {
         for (words, says) in [
             (vec!["--domain", "233"], "0..=232"),
             (vec!["--namespace", "desk-3"], "/desk_3"),

@@ -114,7 +114,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_namespace_is_told_apart_from_what_is_none() {
+    fn a_namespace_is_distinguished_from_invalid_text() {
         for good in ["/", "/desk_3", "/room/desk_3"] {
             assert_eq!(check_namespace(good), Ok(()), "{good}");
         }
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn a_middleware_that_is_not_spoken_is_told_with_those_that_are() {
+    fn an_unsupported_middleware_is_reported_with_the_supported_ones() {
         assert_eq!(
             Middleware::named("rmw_fastrtps_cpp"),
             Ok(Middleware::FastDds)
@@ -141,7 +141,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn no_text_makes_the_look_at_a_namespace_panic(text in ".{0,20}") {
+        fn no_text_makes_the_check_of_a_namespace_panic(text in ".{0,20}") {
             let _ = check_namespace(&text);
             let _ = Middleware::named(&text);
         }

@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn a_tilted_tool_and_what_is_no_turn_or_no_place_are_refused_by_name() {
+    fn a_tilted_tool_an_invalid_rotation_and_an_invalid_place_are_refused_by_name() {
         let half = std::f64::consts::FRAC_1_SQRT_2;
         let level = [0.0, 0.0, 0.0, 1.0];
         for (wanted, says) in [

@@ -138,7 +138,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn no_point_of_the_whole_way_is_farther_off_than_is_told(
+        fn no_point_of_the_whole_path_deviates_more_than_reported(
             places in places(), tolerance in 0.0..90.0_f64, most in 0_usize..30,
         ) {
             let thin = thinned(&places, &[], tolerance, most);
@@ -165,7 +165,7 @@ mod tests {
         }
 
         #[test]
-        fn where_enough_pieces_are_allowed_the_tolerance_is_kept(
+        fn the_tolerance_is_kept_if_enough_pieces_are_allowed(
             places in places(), tolerance in 0.0..90.0_f64,
         ) {
             let thin = thinned(&places, &[], tolerance, places.len());
@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn a_straight_way_is_its_two_ends() {
+    fn a_straight_path_is_its_two_ends() {
         let way: Vec<[f64; 2]> = (0..100)
             .map(|n| [f64::from(n), 2.0 * f64::from(n)])
             .collect();
@@ -184,13 +184,13 @@ mod tests {
     }
 
     #[test]
-    fn corners_stay_on_a_straight_way_too_and_those_that_are_none_are_none() {
+    fn corners_stay_even_on_a_straight_path_and_other_points_do_not() {
         let way: Vec<[f64; 1]> = (0..10).map(|n| [f64::from(n)]).collect();
         assert_eq!(thinned(&way, &[4, 4, 99], 1.0, 1).kept, [0, 4, 9]);
     }
 
     #[test]
-    fn nothing_stays_nothing() {
+    fn an_empty_path_stays_empty() {
         assert!(thinned::<4>(&[], &[], 1.0, 5).kept.is_empty());
         assert_eq!(thinned(&[[1.0]], &[], 1.0, 5).kept, [0]);
     }

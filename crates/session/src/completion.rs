@@ -360,8 +360,8 @@ impl Steady {
         }
         let goes_on = |index: usize| {
             let mut later = in_flight.iter().skip(index + 1);
-            let next = later.find(|it| !it.plan.is_still());
-            next.is_some_and(|it| it.at + answer <= self.since)
+            let next = later.find(|sent| !sent.plan.is_still());
+            next.is_some_and(|sent| sent.at + answer <= self.since)
         };
         let rests = |(index, sent): (usize, &Sent)| {
             let pauses = !sent.plan.pause.is_zero();

@@ -222,7 +222,7 @@ impl Detection {
             .map(|question| self.evidence(question))
             .collect::<Result<_, _>>()?;
         let dialect = evidence[0].means;
-        if evidence.iter().any(|it| it.means != dialect) {
+        if evidence.iter().any(|item| item.means != dialect) {
             let lines = evidence.iter().map(ToString::to_string).collect();
             return Err(DetectionError::Mixed(lines));
         }

@@ -65,8 +65,8 @@ impl InFlight {
         before: &Model,
     ) {
         let last = self.all.back();
-        let ends = last.map_or(Duration::ZERO, |it| it.ends);
-        let bound = last.map_or(Duration::ZERO, |it| it.bound);
+        let ends = last.map_or(Duration::ZERO, |sent| sent.ends);
+        let bound = last.map_or(Duration::ZERO, |sent| sent.bound);
         let mut sent = Sent {
             number: self.numbered,
             id,
@@ -215,7 +215,7 @@ impl InFlight {
     /// (note N20). The expected ends do not bound this time: they are not moved when a command takes longer.
     pub(crate) fn drains_within(&self, left: usize, now: Duration) -> Duration {
         let over = self.all.len().checked_sub(left + 1);
-        let last = over.and_then(|it| self.all.get(it));
+        let last = over.and_then(|index| self.all.get(index));
         last.map_or(Duration::ZERO, |sent| sent.bound.saturating_sub(now))
     }
 

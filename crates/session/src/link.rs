@@ -409,7 +409,7 @@ mod tests {
         assert_eq!(slow.now(), Duration::from_millis(30));
         tokio::time::advance(Duration::from_millis(5)).await;
         assert_eq!(slow.now(), Duration::from_millis(40));
-        // The time of a peer that is not polled stands still.
+        // The time of a peer that is not polled does not advance.
         tokio::time::advance(Duration::from_secs(9)).await;
         assert_eq!(slow.now(), Duration::from_millis(30));
         let open = slow.receive(Duration::MAX, &mut incoming).await;

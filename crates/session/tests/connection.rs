@@ -47,7 +47,7 @@ async fn a_peer_that_closes_without_having_read_everything_has_closed_too() {
     let listener = TcpListener::bind("127.0.0.1:0").await.expect("one is free");
     let address = listener.local_addr().expect("it is bound");
     let ours = TcpStream::connect(address).await.expect("it listens");
-    let (mut theirs, _) = listener.accept().await.expect("somebody is there");
+    let (mut theirs, _) = listener.accept().await.expect("a client has connected");
     let mut arm = Connection::over_stream(ours, None);
     arm.send(LASER_OFF).expect("it is allowed");
     let bytes = STATUS.emit().to_bytes();
@@ -122,7 +122,7 @@ async fn a_port_that_does_not_exist_is_named_with_a_hint() {
 
 #[cfg(unix)]
 #[tokio::test]
-async fn a_file_that_is_no_port_is_reported() {
+async fn a_file_that_is_not_a_port_is_reported() {
     let address: Address = "serial:/dev/null".parse().expect("it is one");
     let error = Connection::open(&address, None)
         .await
@@ -131,7 +131,7 @@ async fn a_file_that_is_no_port_is_reported() {
 }
 
 #[tokio::test]
-async fn a_tcp_port_where_nobody_listens_is_reported() {
+async fn a_tcp_port_without_a_listener_is_reported() {
     let listener = std::net::TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let port = listener.local_addr().expect("it is bound").port();
     drop(listener);

@@ -1,5 +1,5 @@
-//! What a session offers to those who own an arm for long: dialects learned later, ports opened
-//! again, urgent packets, and a view of what is on its way.
+//! Features of a session for a long-term owner of an arm: dialects learned later, ports opened
+//! again, urgent packets, and a view of the commands in flight.
 
 use std::time::Duration;
 
@@ -31,7 +31,7 @@ fn packets(session: &mut Session) -> usize {
 }
 
 #[test]
-fn a_dialect_that_is_learned_later_counts_from_then_on() {
+fn a_dialect_learned_later_applies_from_then_on() {
     let mut session = Session::trusted(None);
     tell(&mut session, PERIOD);
     assert!(matches!(
@@ -53,7 +53,7 @@ fn a_dialect_that_is_learned_later_counts_from_then_on() {
 }
 
 #[test]
-fn a_packet_is_read_by_the_dialect_and_not_at_all_where_it_matters_and_is_unknown() {
+fn a_packet_is_read_by_its_dialect_and_refused_if_that_matters_and_is_unknown() {
     let command = Command::from(line(220.0));
     let packet = command.emit(&Dialect::FIRMWARE_1_1);
     let stock = Session::trusted(Some(Dialect::FIRMWARE_1_1));
@@ -68,7 +68,7 @@ fn a_packet_is_read_by_the_dialect_and_not_at_all_where_it_matters_and_is_unknow
 }
 
 #[test]
-fn a_port_that_was_opened_again_has_five_seconds_and_no_permit() {
+fn a_reopened_port_has_five_seconds_and_no_permit() {
     let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
     tell(&mut session, PERIOD);
     let again = Duration::from_mins(1);
@@ -87,7 +87,7 @@ fn a_port_that_was_opened_again_has_five_seconds_and_no_permit() {
 }
 
 #[test]
-fn what_waits_is_forgotten_by_its_names() {
+fn discarded_commands_are_named_by_their_ids() {
     let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
     let ids: Vec<_> = [1.0, 2.0, 3.0]
         .map(|y| session.send(stroke(y)).expect("it is allowed"))
@@ -137,7 +137,7 @@ fn a_jog_is_released_by_its_own_kind() {
 }
 
 #[test]
-fn an_urgent_packet_that_left_beside_the_session_is_believed() {
+fn an_urgent_packet_sent_outside_the_session_is_accounted_for() {
     let mut session = Session::trusted(Some(Dialect::FIRMWARE_1_1));
     tell(&mut session, PERIOD);
     let laser = Command::from(JointJog::new(JointJogAxis::LaserOn, 0.0));
@@ -154,7 +154,7 @@ fn an_urgent_packet_that_moves_nothing_is_over_soon() {
     tell(&mut session, PERIOD);
     let laser_off = JointJog::new(JointJogAxis::LaserOff, 0.0);
     session.send_now(laser_off).expect("it is allowed");
-    assert!(session.is_moving(), "nobody knows yet");
+    assert!(session.is_moving(), "it is not known yet");
     for n in 2..8 {
         tell(&mut session, PERIOD * n);
     }
@@ -171,7 +171,7 @@ fn events(session: &mut Session) -> Vec<Event> {
 }
 
 #[test]
-fn what_burns_is_refused_until_the_laser_is_armed_and_again_when_its_time_is_over() {
+fn burning_commands_are_refused_unless_the_laser_is_armed() {
     let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
     tell(&mut session, PERIOD);
     let refused = Err(SendError::LaserDisarmed);
@@ -187,7 +187,7 @@ fn what_burns_is_refused_until_the_laser_is_armed_and_again_when_its_time_is_ove
 }
 
 #[test]
-fn what_waits_when_the_time_of_the_laser_is_over_is_not_sent_any_more() {
+fn burning_commands_still_queued_when_the_arming_time_ends_are_not_sent() {
     let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
     tell(&mut session, PERIOD);
     session.arm_laser(Duration::from_secs(1));
@@ -212,7 +212,7 @@ fn what_waits_when_the_time_of_the_laser_is_over_is_not_sent_any_more() {
 }
 
 #[test]
-fn the_laser_is_disarmed_by_silence_by_another_opening_of_the_port_and_by_a_reset() {
+fn the_laser_is_disarmed_by_silence_by_reopening_the_port_and_by_a_reset() {
     let armed = || {
         let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
         tell(&mut session, PERIOD);

@@ -101,7 +101,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn noise_on_the_raw_port_is_counted_and_told_when_its_program_leaves() {
+    fn noise_on_the_raw_port_is_counted_and_reported_when_its_client_leaves() {
         let traffic = Traffic {
             packets: 3,
             damaged_bytes: 17,
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn a_program_that_does_nothing_wrong_is_no_news() {
+    fn a_client_without_errors_is_not_reported() {
         let (name, traffic) = (
             "a program".to_owned(),
             Traffic {

@@ -24,7 +24,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_a_terminal_or_a_page_would_obey_is_left_out_and_all_else_stays() {
+    fn control_characters_of_terminals_and_pages_are_removed_and_all_else_stays() {
         assert_eq!(plain("t\u{1b}]0;x\u{7}\n\u{9b}2J", 40), "t]0;x2J");
         assert_eq!(
             plain("rest \u{202e}.tser\u{2066} a\u{200b}b\u{feff}", 40),

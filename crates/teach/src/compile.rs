@@ -429,16 +429,21 @@ impl Compiler<'_> {
 /// The joint angles at the end of a target.
 fn joints_of(target: &Command, tool: Tool) -> Option<Joints> {
     match target {
-        Command::MoveTo(it) => {
-            let [x, y, z] = [it.x_mm, it.y_mm, it.z_mm].map(f64::from);
+        Command::MoveTo(move_to) => {
+            let [x, y, z] = [move_to.x_mm, move_to.y_mm, move_to.z_mm].map(f64::from);
             let pose = Pose {
                 position: Position::new(x, y, z),
                 ..Pose::default()
             };
             inverse(&pose, tool).ok()
         }
-        Command::MoveJoints(it) => {
-            let [base, rear, fore] = [it.base_deg, it.rear_deg, it.fore_deg].map(f64::from);
+        Command::MoveJoints(move_joints) => {
+            let [base, rear, fore] = [
+                move_joints.base_deg,
+                move_joints.rear_deg,
+                move_joints.fore_deg,
+            ]
+            .map(f64::from);
             Some(Joints::new(base, rear, fore, 0.0))
         }
         _ => None,

@@ -24,10 +24,10 @@ impl Compiled {
         };
         rest.append(self, first..self.commands.len());
         rest.repeat = match self.repeat {
-            Some(it) if first > it.from => rest.append_cycle(self, it),
-            Some(it) => Some(JobRepeat {
-                from: it.from - first + rest.commands.len() - (self.commands.len() - first),
-                ..it
+            Some(repeat) if first > repeat.from => rest.append_cycle(self, repeat),
+            Some(repeat) => Some(JobRepeat {
+                from: repeat.from - first + rest.commands.len() - (self.commands.len() - first),
+                ..repeat
             }),
             None => None,
         };
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn the_rest_goes_to_what_the_program_would_still_have_gone_to() {
+    fn the_rest_visits_the_remaining_targets_of_the_program() {
         let whole = compiled("3");
         let all = targets(&whole, 3);
         for step in 0..whole.steps.len() {
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cycle_for_ever_goes_on_for_ever() {
+    fn an_endless_cycle_stays_endless() {
         let whole = compiled("\"forever\"");
         let last = whole.from_step(whole.steps.len() - 1).unwrap();
         // A wait is a target at the position of the arm.
@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn speeds_that_were_set_before_still_hold() {
+    fn speeds_set_before_the_step_still_apply() {
         let whole = compiled("1");
         let last = whole.from_step(whole.steps.len() - 1).unwrap();
         let set = whole

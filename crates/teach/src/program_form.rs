@@ -122,7 +122,7 @@ mod tests {
                           [[steps]]\ngo = { base = -10, rear = 40, fore = 40 }\npath = \"movj\"\n";
 
     #[test]
-    fn a_program_of_joint_angles_comes_back_from_every_form() {
+    fn a_program_of_joint_angles_is_restored_from_every_form() {
         let program = Program::from_toml(JOINTS).unwrap();
         for form in FORMS {
             let written = form.write(&program, &mut NoFiles).unwrap();
@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_form_cannot_carry_is_reported() {
+    fn content_that_a_form_cannot_carry_is_reported() {
         let mixed = format!("{JOINTS}[[steps]]\nwait = \"look\"\n");
         let mixed = Program::from_toml(&mixed).unwrap();
         for form in [ProgramForm::Xml, ProgramForm::Play] {
@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn bytes_that_are_no_text_are_no_program() {
+    fn bytes_that_are_not_text_are_not_a_program() {
         let error = ProgramForm::Toml.read(b"title = \"\xff\"").unwrap_err();
         assert_eq!(
             error.to_string(),
@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn names_state_the_form_by_their_end_alone() {
+    fn the_form_of_a_file_is_given_by_its_extension_alone() {
         for (name, form) in [
             ("PlayBackPoints.xml", Some(ProgramForm::Xml)),
             ("a.toml.PLAY", Some(ProgramForm::Play)),

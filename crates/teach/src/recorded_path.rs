@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quarter_of_a_circle_becomes_as_many_chords_as_its_tolerance_takes() {
+    fn the_number_of_chords_of_a_quarter_circle_follows_from_its_tolerance() {
         let at = |deg: f64| {
             let (sin, cos) = deg.to_radians().sin_cos();
             place([200.0 * cos, 200.0 * sin, 0.0])
@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn where_the_pump_is_switched_stays_also_on_a_straight_line() {
+    fn a_switch_of_the_pump_is_kept_even_on_a_straight_line() {
         let mut path: Vec<RecordedPlace> =
             (0..10).map(|i| place([f64::from(i), 0.0, 0.0])).collect();
         for it in &mut path[6..] {

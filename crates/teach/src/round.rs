@@ -85,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn a_circle_ends_where_it_began_and_goes_through_its_points() {
+    fn a_circle_ends_at_its_start_and_passes_through_its_points() {
         let at = [[200.0, 0.0], [220.0, 20.0], [240.0, 0.0]].map(|[x, y]| Position::new(x, y, 0.0));
         let places = chords(at, true, 0.2).unwrap_or_default();
         assert_eq!(places.last(), Some(&at[0]));
@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn three_points_on_a_line_are_no_arc() {
+    fn three_points_on_a_line_are_not_an_arc() {
         let at = [200.0, 220.0, 240.0].map(|x| Position::new(x, 0.0, 0.0));
         assert!(chords(at, false, 0.5).is_err_and(|reason| reason.contains("on one line")));
     }

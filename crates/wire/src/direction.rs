@@ -128,9 +128,9 @@ fn is_sized(frame: &Frame) -> bool {
 /// the latter the true header lies inside (note N24).
 #[cold]
 fn is_bad_in_place(window: &[u8; PACKET_LEN]) -> bool {
-    !window[1..]
-        .windows(5)
-        .any(|it| it[0] == HEADER && is_state(f32::from_le_bytes([it[1], it[2], it[3], it[4]])))
+    !window[1..].windows(5).any(|bytes| {
+        bytes[0] == HEADER && is_state(f32::from_le_bytes([bytes[1], bytes[2], bytes[3], bytes[4]]))
+    })
 }
 
 const STATES: [f32; 11] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 15.0];

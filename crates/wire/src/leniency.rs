@@ -62,10 +62,10 @@ impl Leniency {
             return None;
         };
         let state = frame.float(1);
-        let holds = |it: &&Self| {
-            it.states.iter().any(|it| whole(state) == *it)
-                && it.names.contains(&name)
-                && (it.when)(frame, found)
+        let holds = |entry: &&Self| {
+            entry.states.iter().any(|allowed| whole(state) == *allowed)
+                && entry.names.contains(&name)
+                && (entry.when)(frame, found)
         };
         found.is_finite().then(|| ALL.iter().find(holds)).flatten()
     }
@@ -276,7 +276,7 @@ mod tests {
     }
 
     #[test]
-    fn each_entry_leads_to_a_packet_that_is_allowed() {
+    fn each_entry_results_in_an_allowed_packet() {
         let in_force = frame(&[0.0, 0.0, 15.0, 50.0, 30.0, 10.0, 1.0, 40.0, 20.0]);
         let cases: &[(&[f32], &[f32])] = &[
             (
@@ -319,7 +319,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_stock_arm_takes_with_another_effect_is_not_harmless() {
+    fn a_packet_that_a_stock_arm_accepts_with_another_effect_is_not_harmless() {
         let in_force = frame(&[1.0; 10]);
         for found in [
             &[1.0, 0.0, 5.0, 5.0, 5.0, 0.0, 0.5][..],
@@ -334,7 +334,7 @@ mod tests {
     }
 
     #[test]
-    fn what_makes_a_stock_arm_hang_or_lose_its_pose_is_not_in_the_list() {
+    fn packets_that_hang_a_stock_arm_or_lose_its_pose_are_not_in_the_list() {
         let in_force = frame(&[1.0; 10]);
         for found in [
             &[0.0][..],

@@ -7,18 +7,18 @@ import { armAt, placer, seen } from "./picture.js";
 
 const JOINTS = { base_deg: 30, rear_deg: 40, fore_deg: 50, servo_deg: 0 };
 
-test("the tool stands where the joints bring it", () => {
+test("the tool is drawn at the place given by the joints", () => {
   const { x_mm, y_mm, z_mm } = forward(JOINTS, CUP), { tool, tip } = armAt(JOINTS, FACTS);
   for (const [found, wanted] of [[tool[0], x_mm], [tool[1], y_mm], [tool[2], z_mm]]) assert.ok(Math.abs(found - wanted) < 1e-9);
   assert.ok(tip[2] < tool[2] && tip[0] === tool[0]);
 });
 
-test("ahead is to the right, up is up, and what turns to the left goes away from who looks", () => {
+test("ahead is to the right, up is up, and a turn to the left goes away from the viewer", () => {
   const [ahead, left, up] = [[100, 0, 0], [0, 100, 0], [0, 0, 100]].map(seen);
   assert.ok(ahead[0] > 50 && up[0] === 0 && up[1] > 50 && left[1] > 0);
 });
 
-test("an arm stays in its picture, wherever it turns and reaches", () => {
+test("an arm stays within its picture in every pose", () => {
   for (const size of [{ width: 140, height: 90, density: 1 }, { width: 400, height: 250, density: 2 }]) {
     const at = placer(size);
     for (let base_deg = -135; base_deg <= 135; base_deg += 15) {

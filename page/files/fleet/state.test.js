@@ -10,7 +10,7 @@ const requested = (number, what) => ({ type: "requested", request: { number, wha
 const answered = (number, ...answers) => ({ type: "answered", number, answers, problem: null });
 const answer = (name, status, body = {}) => ({ member: name, id: name, took_ms: 1, answer: { status, body } });
 
-test("a station that changes stays where it is, and one that comes takes its place by name", () => {
+test("a station that changes keeps its place, and a new one is inserted by name", () => {
   const changed = member("desk-2", { presence: { type: "away" } });
   const before = after(fleet("desk-1", "desk-2", "desk-3"));
   const now = reduce(before, { type: "members", members: [changed], gone: [], now_ms: 2 });
@@ -19,29 +19,29 @@ test("a station that changes stays where it is, and one that comes takes its pla
   assert.deepEqual(grown.members.map(({ name }) => name), ["desk-0", "desk-1", "desk-2", "desk-3", "desk-10"]);
 });
 
-test("who did not answer a stop stays told while other things are asked for", () => {
+test("stations that did not answer a stop stay listed during other requests", () => {
   const board = after(requested(1, "stop"), answered(1, answer("desk-1", 200)), requested(2, "message"), answered(2));
   assert.equal(board.stop.answers.length, 1);
   assert.equal(board.request.what, "message");
 });
 
-test("a second press asks anew, and the answers to the first do not count as its own", () => {
+test("a second press sends a new request, and answers to the first do not count for it", () => {
   const board = after(requested(1, "stop"), requested(2, "stop"), answered(1, answer("desk-1", 200)));
   assert.equal(board.stop.answers, null);
 });
 
-test("one station that wants a token is enough to ask for it, in its own words", () => {
+test("one station that requires a token is enough to ask for it, in its own words", () => {
   const denied = { detail: "this takes the role control", hint: "use another token", status: 403 };
   assert.deepEqual(after(requested(1, "reset"), answered(1, answer("desk-1", 200), answer("desk-2", 403, denied))).denied, denied);
   assert.equal(after(requested(1, "reset"), answered(1, answer("desk-1", 409, denied))).denied, null);
 });
 
-test("the jobs of a station are shown at no other one", () => {
+test("the jobs of a station are not shown for another one", () => {
   const board = after(fleet("a", "b"), { type: "chosen", id: "id-a" }, { type: "jobs", id: "id-b", jobs: [{ job: 1 }] });
   assert.equal(board.jobs, null);
 });
 
-test("the students of a station stay told while its arm moves, and go when it does not answer any more", () => {
+test("the students of a station stay listed while its arm moves, and disappear when it no longer answers", () => {
   const learner = { student: "Anna", lesson: "tour", done: 2, steps: 12, for_s: 5 };
   const learning = after(fleet("desk-1", "desk-2"), { type: "learners", answers: [answer("id-desk-1", 200, [learner]), answer("id-desk-2", 503, { detail: "away" })] });
   assert.deepEqual(learning.members.map(({ learners }) => learners), [[learner], []]);
@@ -50,7 +50,7 @@ test("the students of a station stay told while its arm moves, and go when it do
   assert.deepEqual(reduce(moved, { type: "learners", answers: [] }).members[0].learners, []);
 });
 
-test("a board that looks for its station again says so all the time until it has it", () => {
+test("a board that reconnects to its station shows that until it succeeds", () => {
   const lost = after(fleet("a"), { type: "closed", problem: null }, { type: "connecting" });
   assert.equal(lost.connection, "closed");
   assert.equal(reduce(lost, fleet("a")).connection, "open");

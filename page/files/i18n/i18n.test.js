@@ -31,7 +31,7 @@ test("every text is used", async () => {
   assert.deepEqual(unused, []);
 });
 
-test("lessons name the controls as the page does", async () => {
+test("lessons name the controls as on the page", async () => {
   for (const lesson of LESSONS) {
     const { steps } = parse(await readFile(new URL(`lessons/${lesson}.toml`, ROOT), "utf8"));
     for (const { text } of steps) {
@@ -43,16 +43,16 @@ test("lessons name the controls as the page does", async () => {
   }
 });
 
-test("values stand where the text names them", () => {
+test("values are inserted where the text names them", () => {
   assert.equal(translator("en")("control.others", { name: "desk 3" }), "desk 3 has control.");
 });
 
-test("a browser gets the first of its languages that there is, or English", () => {
+test("a browser gets the first available language of its list, or English", () => {
   assert.equal(languageOf(["de-DE", "zh-CN", "en"]), "zh");
   assert.equal(languageOf(["fr"]), "en");
 });
 
-test("times are said as a person says them", () => {
+test("times are written as a person would say them", () => {
   const t = translator("en");
   assert.deepEqual([formatDuration(t, 41.4), formatDuration(t, 62), formatDuration(t, 3720)], ["41 s", "1 min 02 s", "1 h 02 min"]);
   assert.equal(formatClock(581), "9:41");

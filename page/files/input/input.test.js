@@ -8,7 +8,7 @@ import { gesturePacket, mousePacket } from "./pad_packets.js";
 const ARM = { rotation_deg: 12, servo_deg: 8, suction: true };
 const focused = (...selectors) => ({ matches: (list) => selectors.some((it) => list.includes(it)) });
 
-test("Escape stops from anywhere, Space from where it neither writes nor presses", () => {
+test("Escape always stops, and Space stops except where it types or presses", () => {
   assert.equal(isStop("Escape", focused("textarea"), false), true);
   assert.equal(isStop(" ", focused("textarea"), false), false);
   assert.equal(isStop(" ", null, false), true);
@@ -17,7 +17,7 @@ test("Escape stops from anywhere, Space from where it neither writes nor presses
   assert.equal(isStop("a", null, false), false);
 });
 
-test("keys on the stage stand for the buttons of what moves; with Shift or Ctrl they move the camera", () => {
+test("keys on the stage act as the buttons of the moving part; with Shift or Ctrl they move the camera", () => {
   const key = (key, more = {}) => ({ key, ctrlKey: false, altKey: false, metaKey: false, shiftKey: false, ...more });
   assert.equal(axisOf(key("ArrowLeft"), "linear"), "y_plus");
   assert.equal(axisOf(key("ArrowLeft"), "joint"), "base_plus");
@@ -25,13 +25,13 @@ test("keys on the stage stand for the buttons of what moves; with Shift or Ctrl 
   assert.equal(axisOf(key("x"), "linear"), undefined);
 });
 
-test("of the sticks the one that is furthest out counts, and one near its middle rests", () => {
+test("the stick with the largest deflection counts, and one near its centre is at rest", () => {
   assert.equal(pushed([0.2, -0.2, 0, 0]), null);
   assert.deepEqual(pushed([0.3, -1, 0, 0]), { axis: "x_plus", share: 1 });
   assert.equal(pushed([0, 0, 0, 0.5]).axis, "z_minus");
 });
 
-test("up the mouse pad is ahead and left is left, in both dialects", () => {
+test("up on the mouse pad is ahead and left is left, in both dialects", () => {
   const up = mousePacket([0, -8], ARM, false).command;
   assert.deepEqual([up.x, up.y, up.rotation_deg, up.suction], [2, -0, 12, true]);
   assert.equal(mousePacket([-8, 0], ARM, false).command.y, 2);
@@ -40,7 +40,7 @@ test("up the mouse pad is ahead and left is left, in both dialects", () => {
   assert.deepEqual([stock.y, stock.rotation_deg], [-2, 8]);
 });
 
-test("a way that is too long for one packet is made by more than one", () => {
+test("a distance too long for one packet is divided among several", () => {
   const { command, used } = mousePacket([0, -100], ARM, false);
   assert.equal(command.x, 5);
   assert.deepEqual(used.map((it) => it + 0), [0, -20]);

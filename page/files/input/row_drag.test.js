@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { ROW_PX, rowBelow, scrollAt } from "./row_drag.js";
 
-test("a carried row lies where the pointer is, and never beyond the ends", () => {
+test("a dragged row follows the pointer, and never leaves the list", () => {
   assert.deepEqual([-5, 0, ROW_PX - 1, ROW_PX, 99 * ROW_PX].map((y) => rowBelow(y, 4)), [0, 0, 0, 1, 3]);
 });
 

@@ -7,7 +7,7 @@ import { sample } from "./sample.test.js";
 
 const timeline = readTimeline(JSON.stringify(sample()));
 
-test("bounds hold every row, of travel moves too", () => {
+test("bounds include every row, even of travel moves", () => {
   assert.deepEqual(boundsOf(timeline), { x: [200, 210], y: [-20, 20] });
 });
 
@@ -28,20 +28,20 @@ test("a drawing fills the width or the height, whichever is scarcer, and stays w
   assert.ok(Math.abs(low.y(210) - EDGE) < 1e-9, `${low.y(210)} is not ${EDGE}`);
 });
 
-test("one point has a view, too", () => {
+test("a single point has a view, too", () => {
   const view = viewOf({ x: [200, 200], y: [0, 0] }, { width: 300, height: 300, ratio: 1 });
   assert.equal(view.x(0), 150);
   assert.ok(Number.isFinite(view.y(200)));
 });
 
-test("a canvas is as high as the drawing wants, from 220 pixels to the most", () => {
+test("the height of a canvas follows the drawing, from 220 pixels to the maximum", () => {
   assert.equal(heightFor({ x: [0, 1], y: [0, 100] }, 800, 500), 220);
   assert.equal(heightFor({ x: [0, 100], y: [0, 1] }, 800, 500), 500);
   const square_px = heightFor({ x: [0, 100], y: [0, 100] }, 400, 1000);
   assert.equal(viewOf({ x: [0, 100], y: [0, 100] }, { width: 400, height: square_px, ratio: 1 }).scale, (400 - 2 * EDGE) / 100);
 });
 
-test("lengths of the scale are one, two or five times a power of ten, as long as fits", () => {
+test("lengths of the scale are one, two or five times a power of ten, the longest that fits", () => {
   for (const [most, expected] of [[1, 1], [1.9, 1], [2, 2], [4.9, 2], [7, 5], [10, 10], [99, 50], [0.3, 0.2]]) {
     assert.ok(Math.abs(roundLength(most) - expected) < 1e-12, `${roundLength(most)} for ${most}, expected ${expected}`);
   }
@@ -55,7 +55,7 @@ test("ink has the colour of its pass, and light colours are darkened", () => {
   assert.equal(classes, timeline.path.pass);
 });
 
-test("a pass without a colour has one that its neighbours have not", () => {
+test("a pass without a colour has one that its neighbours do not have", () => {
   const passes = Array.from({ length: 8 }, () => ({ name: "", tool: "pen", color: null }));
   const colors = lookOfPasses({ ...timeline, passes }).styles.map((it) => it.color);
   assert.equal(new Set(colors).size, 8);
@@ -73,17 +73,17 @@ test("times are minutes and seconds, and hours where there are any", () => {
   }
 });
 
-test("a pass is called by its name, cut where it is long, and else by its number", () => {
+test("a pass has its name, truncated if long, or else its number", () => {
   assert.equal(passName(translator("en"), { name: "sky", tool: "pen" }, 0), "sky");
   assert.equal(passName(translator("en"), { name: "", tool: "laser" }, 1), "pass 2 (laser)");
   assert.equal(passName(translator("en"), { name: "x".repeat(61), tool: "pen" }, 0), `${"x".repeat(60)}…`);
 });
 
-test("the strip shows when there is ink, and none for travel moves", () => {
+test("the strip marks the times with ink and not those of travel moves", () => {
   // Rows at 0, 1, 3 and 4 s; the line is drawn from 1 s to 3 s.
   assert.deepEqual([...inkOfColumns(timeline, lookOfPasses(timeline), 5)], [-1, 0, 0, 0, -1]);
 });
 
-test("a drawing that takes no time has no ink in its strip", () => {
+test("a drawing without duration has no ink in its strip", () => {
   assert.deepEqual([...inkOfColumns({ ...timeline, duration_s: 0 }, lookOfPasses(timeline), 3)], [-1, -1, -1]);
 });

@@ -57,7 +57,7 @@ test("canvases have the pixels of the device", () => {
   assert.deepEqual([all.canvas.width, all.canvas.height], [800, 600]);
 });
 
-test("ink is drawn from where the line begins to where it ends, and only as far as the moment", () => {
+test("ink is drawn from the start of a line to its end, and only up to the current moment", () => {
   const sketch = sketchOf(read(sample()));
   assert.equal(sketch.advance(1), true);
   assert.deepEqual(named(sketch.ink.canvas.calls, "lineTo"), []);
@@ -67,7 +67,7 @@ test("ink is drawn from where the line begins to where it ends, and only as far 
   assert.deepEqual(named(sketch.ink.canvas.calls, "lineTo"), [to]);
 });
 
-test("travel moves are dashed and leave out the ink", () => {
+test("travel moves are dashed and omit the ink", () => {
   const sketch = sketchOf(read(sample()));
   sketch.advance(0);
   const { calls } = sketch.ways.canvas;
@@ -75,7 +75,7 @@ test("travel moves are dashed and leave out the ink", () => {
   assert.deepEqual(named(calls, "lineTo"), [[sketch.x[1], sketch.y[1]], [sketch.x[3], sketch.y[3]]]);
 });
 
-test("a dot is a line that is long enough to be seen", () => {
+test("a dot is a line that is long enough to be visible", () => {
   const file = sample();
   file.path.ink[2] = 2;
   const sketch = sketchOf(read(file));
@@ -92,7 +92,7 @@ test("a long drawing is drawn in slices, each line once", () => {
   assert.equal(named(sketch.all.canvas.calls, "lineTo").length, 20_000);
 });
 
-test("the way back begins with a picture of before, not with the first line", () => {
+test("seeking back starts from an earlier picture, not from the first line", () => {
   const sketch = sketchOf(long(20_000));
   slices(sketch, 20_000);
   const { calls } = sketch.ink.canvas;
@@ -105,7 +105,7 @@ test("the way back begins with a picture of before, not with the first line", ()
   assert.ok(again > 0 && again < 7000, `${again} lines were drawn again`);
 });
 
-test("the tool is full while it leaves ink, and a ring while it does not", () => {
+test("the tool is filled while it leaves ink, and otherwise a ring", () => {
   const sketch = sketchOf(read(sample()));
   sketch.advance(3);
   const fills = (inks) => {

@@ -25,7 +25,7 @@ test("a timeline is read into columns", () => {
   assert.deepEqual([...path.ink], [0, 0, 1, 0]);
 });
 
-test("a line has the pass of its beginning", () => {
+test("a line belongs to the pass of its start", () => {
   const file = sample();
   file.passes.push({ name: "sea", tool: "pen", color: null });
   file.moves.pass = [0, 0, 1];
@@ -33,7 +33,7 @@ test("a line has the pass of its beginning", () => {
   assert.deepEqual([...readTimeline(JSON.stringify(file)).path.pass], [0, 0, 0, 1]);
 });
 
-test("what is wrong with a file is told by its place, what was found and what is expected", () => {
+test("an error in a file is reported with its place, the found and the expected value", () => {
   const cases = [
     [(it) => delete it.version, "has no version; expected a timeline of version 1"],
     [(it) => (it.version = 2), "has version 2; expected a timeline of version 1"],
@@ -55,7 +55,7 @@ test("what is wrong with a file is told by its place, what was found and what is
   }
 });
 
-test("other files are refused by what they are", () => {
+test("other files are refused and identified", () => {
   assert.throws(() => readTimeline("<svg/>"), /^Error: is not JSON/);
   assert.throws(() => readTimeline("[1, 2]"), /^Error: holds a list of 2; expected a timeline/);
   assert.throws(() => checkSize(0), /is empty/);
@@ -63,7 +63,7 @@ test("other files are refused by what they are", () => {
   checkSize(MOST_BYTES);
 });
 
-test("the last row is the one that is not after the time, also where several have the same", () => {
+test("the last row at or before the time is found, even if several have the same time", () => {
   const column = Float64Array.of(0, 1, 1, 3);
   for (const [t_s, row] of [[-1, 0], [0, 0], [0.9, 0], [1, 2], [2.9, 2], [3, 3], [9, 3]]) {
     assert.equal(lastAt(column, t_s), row, `at ${t_s} s`);

@@ -11,13 +11,13 @@ function world(time_s, lines, from = 0, more = {}) {
   return { time_s, tool: PEN, table_z_mm: -103, objects: [], held: [], strokes, burns: [], holes: [], event_count: 0, events: [], ...more };
 }
 
-test("the tool is as long as from the wrist to the table where it touches it", () => {
+test("the length of the tool is that from the wrist to the table where it touches it", () => {
   const parts = partsOf(world(1, []));
   assert.deepEqual(parts.tool, { kind: "pen", length_mm: 63 });
   assert.equal(parts.paper, null);
 });
 
-test("a line that grows is drawn on from where it was, and the marks stay the same object", () => {
+test("a growing line is continued from its end, and the marks stay the same object", () => {
   const ink = new Ink();
   assert.ok(ink.take(world(1, [[[0, 0], [10, 0]]]), 0));
   const { marks } = ink;
@@ -30,7 +30,7 @@ test("a line that grows is drawn on from where it was, and the marks stay the sa
   assert.equal(ink.marks, marks);
 });
 
-test("the end of a line that goes straight on moves, and what is new of it is drawn", () => {
+test("the end of a straight line moves, and only its new part is drawn", () => {
   const ink = new Ink();
   ink.take(world(1, [[[0, 0], [5, 5], [10, 5]]]), 0);
   ink.take(world(2, [[[0, 0], [5, 5], [40, 5]]]), 0);
@@ -46,7 +46,7 @@ test("a single point is a dot", () => {
   assert.deepEqual(ink.marks.ends_mm, [5, 6, 5, 6]);
 });
 
-test("a world that was set up anew is another drawing, and has to be asked for as a whole", () => {
+test("a world that was set up again is another drawing, and is requested as a whole", () => {
   const ink = new Ink();
   ink.take(world(10, [[[0, 0], [1, 0]], [[2, 0], [3, 0]]]), 0);
   const { marks } = ink;
@@ -57,7 +57,7 @@ test("a world that was set up anew is another drawing, and has to be asked for a
   assert.deepEqual(ink.marks.ends_mm, [7, 7, 8, 7]);
 });
 
-test("what was burned slowly is darker than what was burned fast, and a hole is a dot", () => {
+test("a slow burn is darker than a fast one, and a hole is a dot", () => {
   const ink = new Ink();
   const burn = (speed_mm_s) => ({ points_mm: [[0, 0], [10, 0]], power_w: 0.5, speed_mm_s });
   ink.take(world(1, [], 0, { tool: LASER, burns: [burn(10), burn(100)], holes: [{ at_mm: [3, 4], power_w: 0.5, time_s: 1 }] }), 0);

@@ -19,7 +19,7 @@ function near(found, expected, allowed, what) {
   assert.ok(Math.abs(found - expected) <= allowed, `${what}: ${found}, expected ${expected} to ${allowed}`);
 }
 
-test("the tool is where a real arm reported it to be", () => {
+test("the computed tool is at the place that a real arm reported", () => {
   assert.equal(REAL.length, 30);
   for (const { joints, ...place } of REAL) {
     const found = forward(joints, CUP);
@@ -28,20 +28,20 @@ test("the tool is where a real arm reported it to be", () => {
   }
 });
 
-test("a pose leads back to the joints that brought the tool there", () => {
+test("the inverse of a pose gives the joints of that pose", () => {
   for (const { joints } of REAL) {
     const found = inverse(forward({ ...joints, servo_deg: 12 }, LASER), LASER);
     for (const name of Object.keys(joints)) near(found[name], name === "servo_deg" ? 12 : joints[name], 1e-9, name);
   }
 });
 
-test("no joints lead to a place that the links do not span", () => {
+test("a place beyond the links has no joints", () => {
   assert.equal(inverse({ x_mm: 360, y_mm: 0, z_mm: 0, rotation_deg: 0 }, CUP), null);
   assert.equal(inverse({ x_mm: 60, y_mm: 0, z_mm: 0, rotation_deg: 0 }, CUP), null);
   assert.equal(inverse({ x_mm: NaN, y_mm: 0, z_mm: 0, rotation_deg: 0 }, CUP), null);
 });
 
-test("rods and crank keep their lengths wherever the arm is", () => {
+test("rods and crank keep their lengths in every pose", () => {
   for (const { joints } of REAL) {
     const at = links(joints, CUP);
     near(between(...at.rearRod), REAR_MM, 1e-9, "rear rod");
@@ -52,7 +52,7 @@ test("rods and crank keep their lengths wherever the arm is", () => {
   }
 });
 
-test("what holds the front rod is level at the elbow and at the wrist", () => {
+test("the holder of the front rod is level at the elbow and at the wrist", () => {
   for (const { joints } of REAL) {
     const at = links(joints, CUP);
     for (const axis of [0, 1]) near(at.frontRod[1][axis] - at.wrist[axis], at.frontRod[0][axis] - at.elbow[axis], 1e-9, "offset");

@@ -10,23 +10,23 @@ function after(pace, count, each_ms) {
   return pace.quality(2);
 }
 
-test("a computer that keeps up draws as fine as its screen is", () => {
+test("a fast computer draws at the full resolution of its screen", () => {
   assert.deepEqual(after(createRenderQuality(true), 500, 16.7), FINEST);
   assert.equal(createRenderQuality(true).quality(1.5).density, 1.5);
 });
 
-test("a slow one draws coarser, step by step, and not coarser than that it can be seen", () => {
+test("a slow one reduces the resolution step by step, down to a visible minimum", () => {
   const pace = createRenderQuality(true);
   assert.deepEqual(after(pace, 16, 60), { density: 1, mirrors: true, shadows: true });
   assert.deepEqual(after(pace, 16, 60), { density: 1, mirrors: false, shadows: true });
   assert.deepEqual(after(pace, 500, 60), { density: 0.75, mirrors: false, shadows: false });
 });
 
-test("one without a graphics card begins with what it can do", () => {
+test("one without a graphics card starts with a resolution that it can draw", () => {
   assert.deepEqual(createRenderQuality(false).quality(2), { density: 0.75, mirrors: false, shadows: true });
 });
 
-test("a single slow frame, or a pause between two motions, is nothing", () => {
+test("a single slow frame, or a pause between two motions, changes nothing", () => {
   const pace = createRenderQuality(true);
   for (let n = 0; n < 100; n += 1) pace.drawn(n * 5000, false);
   for (let n = 0; n < 100; n += 1) pace.drawn(n * 16 + (n > 50 ? 900 : 0), true);
@@ -34,7 +34,7 @@ test("a single slow frame, or a pause between two motions, is nothing", () => {
 });
 
 for (const hz of [24, 50, 59.94, 60, 75, 120, 144, 240]) {
-  test(`a screen of ${hz} Hz draws as often as it can, and 60 times in a second at most`, () => {
+  test(`a screen of ${hz} Hz draws as often as it can, and at most 60 times per second`, () => {
     const isDue = createLimit();
     let drawn = 0;
     // After a pause, as an arm that begins to move.

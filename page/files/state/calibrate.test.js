@@ -18,7 +18,7 @@ const BEGUN = after([{ type: "calibrate_begun", sheet: SHEET }, { type: "calibra
 /** The state after what is told of the touches as they are. */
 const fitted = (calibrate) => after([{ type: "calibrate_fitted", revision: calibrate.revision, fit: FIT, problem: null }], calibrate);
 
-test("each touch and each point that is left out leads to the next one, and both can be taken back", () => {
+test("each touch and each skipped point advances to the next one, and both can be undone", () => {
   const all = after([touched(1), SKIPPED, touched(2)], BEGUN);
   assert.equal(nextPoint(all), 0);
   assert.deepEqual(touchesOf(all).map(({ point }) => point), [0, 2]);
@@ -27,12 +27,12 @@ test("each touch and each point that is left out leads to the next one, and both
   assert.equal(after([{ type: "calibrate_back" }], BEGUN), BEGUN);
 });
 
-test("the station is asked about the touches with their places, the bar, and the backlash that is known", () => {
+test("the station is asked about the touches with their places, the bar, and the known backlash", () => {
   const known = after([{ type: "calibrations", known: { calibration: FILE, before: null } }, SKIPPED, touched(2)], BEGUN);
   assert.deepEqual(questionOf(known), { touches: [{ place_mm: [155, 100], told_deg: [2, 45, 45], height_mm: 0 }], ...PRINT, tool_measured: false, backlash: FILE.backlash });
 });
 
-test("a block on a point counts for one touch, and a height that no block has hinders it", () => {
+test("a block on a point applies to one touch, and an impossible height of a block prevents it", () => {
   const typed = (text) => ({ type: "calibrate_block_typed", text });
   const all = after([typed("40"), touched(1), touched(2)], BEGUN);
   assert.deepEqual(questionOf(all).touches.map(({ height_mm }) => height_mm), [40, 0]);
@@ -41,14 +41,14 @@ test("a block on a point counts for one touch, and a height that no block has hi
   for (const text of ["-1", "101"]) assert.equal(pointBlockedReason(page(text)), "no_block", text);
 });
 
-test("a bar that is refused leads nowhere, and another one is asked for again", () => {
+test("a refused bar does not advance, and another one is checked again", () => {
   const problem = { title: "", detail: "it is 194 mm long" };
   const refused = after([{ type: "calibrate_bar", print: { ...PRINT, bar_mm: 184 }, problem }], BEGUN);
   assert.deepEqual([refused.print, refused.bar_refused], [null, problem]);
   assert.equal(after([{ type: "calibrate_bar_typed", text: "200" }], refused).bar_refused, null);
 });
 
-test("what is kept was shown: another touch takes the view of it away, and so does taking one back", () => {
+test("only a shown result can be saved: another touch removes it, and so does undoing one", () => {
   const shown = after([{ type: "calibrate_shown" }], fitted(after([touched(1)], BEGUN)));
   assert.equal(shown.shown, FILE);
   for (const message of [touched(2), { type: "calibrate_back" }, SKIPPED]) assert.deepEqual([after([message], shown).shown, after([message], shown).fit], [null, null]);
@@ -61,19 +61,19 @@ test("a measured tool is accepted for these touches alone", () => {
   assert.equal(questionOf(after([touched(2)], measured)).tool_measured, false);
 });
 
-test("a joint that came from the other side hinders a touch", () => {
+test("a joint that came from the wrong side prevents a touch", () => {
   const page = (touch_refused) => ({ connection: "open", station: { ...STATION, arm: { ...ARM, touch_refused } }, received_ms: 0, now_ms: 0, calibrate: BEGUN });
   assert.equal(pointBlockedReason(page("the base came from the other side")), "other_side");
   assert.equal(pointBlockedReason(page(undefined)), null);
 });
 
-test("what is told of earlier touches is not taken", () => {
+test("an answer about earlier touches is ignored", () => {
   const late = { type: "calibrate_fitted", revision: BEGUN.revision, fit: FIT, problem: null };
   assert.equal(after([touched(1), late], BEGUN).fit, null);
   assert.equal(after([{ type: "calibrate_ended" }, late], BEGUN).fit, null);
 });
 
-test("a pose that is not trusted any more makes the touches worthless, which is told until the next one", () => {
+test("a pose that is no longer trusted makes the touches void, which is shown until the next one", () => {
   const state = (trusted) => ({ type: "state", station: { ...STATION, trust: { trusted } } });
   const all = fitted(after([touched(1), touched(2)], BEGUN));
   assert.equal(after([state(true)], all), all);
@@ -83,13 +83,13 @@ test("a pose that is not trusted any more makes the touches worthless, which is 
   assert.equal(after([state(false)], BEGUN), BEGUN);
 });
 
-test("leaving forgets all but what is known", () => {
+test("leaving forgets everything except known values", () => {
   const known = { calibration: FILE, before: null };
   const left = after([{ type: "calibrations", known }, touched(1), { type: "calibrate_ended" }], BEGUN);
   assert.deepEqual({ ...left, revision: 0 }, { ...NO_CALIBRATE, known });
 });
 
-test("numbers are told with what changed, and those that a calibration does not have are left out", () => {
+test("numbers are shown with their changes, and those that a calibration does not have are omitted", () => {
   const before = { ...FILE, zeros: { base: 2, rear: -4, fore: 2 } };
   const [base] = numbersOf(FILE, before);
   assert.deepEqual(base, { name: "base", unit: "°", value: 3, by: 1 });
@@ -98,12 +98,12 @@ test("numbers are told with what changed, and those that a calibration does not 
   assert.deepEqual(paper, { name: "slope_x", unit: " %", value: 1, by: null });
 });
 
-test("a touch is what the arm itself says, whatever is known of it", () => {
+test("a touch is the raw pose of the arm, even if a calibration is known", () => {
   assert.deepEqual(rawDegrees(ARM), [1, 45, 45]);
   assert.deepEqual(rawDegrees({ ...ARM, told: { base_deg: -2, rear_deg: 49, fore_deg: 43 } }), [-2, 49, 43]);
 });
 
-test("a touch is taken while the arm rests and its pose is trusted", () => {
+test("a touch is accepted while the arm is at rest and its pose is trusted", () => {
   const why = (change, page = {}) => touchBlockedReason({ connection: "open", received_ms: 0, now_ms: 0, station: { ...STATION, ...change }, ...page });
   assert.equal(why({}), null);
   assert.equal(why({ arm: { ...ARM, moving: true } }), "moving");

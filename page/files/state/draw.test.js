@@ -8,13 +8,13 @@ const FORMATS = /** @type {import("./draw.js").Formats} */ ([
   { name: "HP-GL", extensions: ["plt"], mime_type: "application/vnd.hp-hpgl", contents: "shapes" },
 ]);
 
-test("files are chosen and named by the formats that the station tells", () => {
+test("files are selected and named by the formats that the station lists", () => {
   const { formats } = reduceDraw(NO_DRAW, { type: "formats", formats: FORMATS });
   assert.equal(accepted(formats), ".svg,.svgz,.plt");
   assert.equal(formatNames(formats), "SVG, HP-GL");
 });
 
-test("an error names the field of the page, and an option that the page does not have as it is", () => {
+test("an error names the field of the page, and an option without a field by its own name", () => {
   const t = translator("en");
   assert.equal(withFieldNames(t, "tool.speed is 2000 mm/s; it takes 0 to 1000 mm/s"), "“Speed” is 2000 mm/s; it takes 0 to 1000 mm/s");
   assert.equal(withFieldNames(t, "`place.fit`, instead of `place.scale`, is smaller"), "“scale to fit”, instead of “Scale”, is smaller");

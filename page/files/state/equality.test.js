@@ -17,12 +17,12 @@ const BEGUN = begin({ language: "en", theme: "auto", greeted: false, program: ""
 const OPEN = after([{ type: "hello", client: 7, role: "control", version: "1", now_ms: 1000 }, { type: "state", station: STATION, now_ms: 1000 }], BEGUN);
 const afterState = (change, page = OPEN) => reduce(page, { type: "state", station: { ...STATION, at_s: 1.08, ...structuredClone(change) }, now_ms: 1080 });
 
-test("an arm that rests looks the same, however often it says so", () => {
+test("an arm at rest looks the same in every report", () => {
   assert.ok(rendersSame(OPEN, afterState({})));
   assert.ok(rendersSame(OPEN, afterState({ at_s: 3, link: { ...STATION.link, statuses_per_s: 12.52, latency_ms: 7 } })));
 });
 
-test("whatever is read of a station is news", () => {
+test("any change read from a station is new", () => {
   const changes = {
     arm: { ...STATION.arm, x_mm: 200.1 }, link: { ...STATION.link, phase: "lost" }, trust: { trusted: false, reason: "reset" }, clients: 2,
     lease: { client: 7, name: "desk", is_program: false, since_s: 0, asked_by: [] }, laser: { armed_for_s: 2, on: false }, job: { job: 3, completed: 1 },
@@ -31,7 +31,7 @@ test("whatever is read of a station is news", () => {
   assert.ok(!rendersSame(BEGUN, OPEN));
 });
 
-test("whatever else the page knows is news, and so is a report after a silence", () => {
+test("any other change of the page is new, and so is a report after a silence", () => {
   assert.ok(!rendersSame(OPEN, reduce(OPEN, { type: "tab", tab: "watch" })));
   const silent = reduce(OPEN, { type: "tick", now_ms: 3000 });
   assert.ok(!rendersSame(OPEN, silent));
@@ -45,7 +45,7 @@ test("Watch shows the link and each sample of the charts", () => {
   assert.ok(!rendersSame(watched, afterState({ at_s: 1.6 }, watched)));
 });
 
-test("a time slot is counted down", () => {
+test("the remaining time of a slot is counted down", () => {
   const slots = { now: { student: "Anna", starts_s: 0, ends_s: 250 }, next: null, free_s: 250 };
   const timed = afterState({ slots });
   assert.ok(rendersSame(timed, afterState({ slots, at_s: 1.1 }, timed)));

@@ -6,7 +6,7 @@ import { NO_JOBS, placeFor, reduceJobs, groupJobs } from "./jobs.js";
 const job = (number, phase, more = {}) => ({ job: number, phase, ...more });
 const numbers = (jobs) => jobs.map((it) => it.job);
 
-test("jobs stand by what a person asks of them: what waits in its order, what is over with the newest first", () => {
+test("jobs are sorted by what they need: waiting ones in their order, finished ones with the newest first", () => {
   const all = [job(1, "done"), job(5, "queued"), job(2, "failed"), job(3, "running", { completed: 1 }), job(4, "queued")];
   const { active, waiting, finished } = groupJobs(all, job(3, "paused", { completed: 7 }));
   assert.deepEqual(active, [job(3, "paused", { completed: 7 })], "as the state tells it, which is newer");
@@ -14,7 +14,7 @@ test("jobs stand by what a person asks of them: what waits in its order, what is
   assert.deepEqual(numbers(finished), [2, 1]);
 });
 
-test("a queued job goes one place up or down, and not out of the queue", () => {
+test("a queued job moves one place up or down, and stays in the queue", () => {
   const waiting = [job(5, "queued"), job(4, "queued"), job(8, "queued")];
   const places = (way) => numbers(waiting).map((it) => placeFor(waiting, it, way));
   assert.deepEqual(places(-1), [undefined, 5, 4]);
@@ -22,7 +22,7 @@ test("a queued job goes one place up or down, and not out of the queue", () => {
   assert.equal(placeFor(waiting, 9, 1), undefined);
 });
 
-test("a refusal stands at its job until the next thing is asked for", () => {
+test("a refusal is shown at its job until the next request", () => {
   const problem = { title: "no", detail: "job 4 is done" };
   const refused = reduceJobs(NO_JOBS, { type: "job_refused", job: 4, problem });
   assert.deepEqual(refused.refused, { job: 4, problem });

@@ -17,7 +17,7 @@ function waiting(until, more = {}) {
 }
 const at = (x_mm, y_mm, z_mm, moving = false) => ({ station: { arm: { x_mm, y_mm, z_mm, moving }, job: null } });
 
-test("each lesson has its texts in both languages, and waits only for what can be waited for", () => {
+test("each lesson has its texts in both languages, and waits only for known conditions", () => {
   const known = new Set(["moved_mm", "near", "steps", "cycles", "notice", "drawing", "idle", "refused", "answer"]);
   for (const name of LESSONS) {
     const { title, minutes, steps } = lessonOf(name);
@@ -30,7 +30,7 @@ test("each lesson has its texts in both languages, and waits only for what can b
   }
 });
 
-test("how far a student is, is told under the name that was said, and of nobody without one", () => {
+test("the progress of a student is reported under the given name, and not without one", () => {
   const begun = begunNow(NEW);
   const lesson = { name: "tour", title: {}, minutes: 1, steps: [{ text: {} }, { text: {} }] };
   const page = [{ type: "lesson_student", name: "Anna" }, { type: "lesson", lesson, begun }, { type: "lesson_step", step: 1, begun }].reduce(reduce, NEW);
@@ -44,26 +44,26 @@ test("how far a student is, is told under the name that was said, and of nobody 
   assert.equal(left.learn.student, "Anna", "the next lesson is hers, too");
 });
 
-test("a step that waits for a motion is done when the arm has moved so far since it began", () => {
+test("a step that waits for a motion is done when the arm has moved that far since the step began", () => {
   const page = waiting({ moved_mm: 15 }, at(200, 0, 50));
   assert.equal(isDone(page, 0), false);
   assert.equal(isDone({ ...page, ...at(200, 10, 50) }, 0), false);
   assert.equal(isDone({ ...page, ...at(200, 10, 38) }, 0), true);
 });
 
-test("a place counts when the arm rests there", () => {
+test("a place counts when the arm is at rest there", () => {
   const page = waiting({ near: { x: 200, y: 100, z: 0, within: 3 } });
   assert.equal(isDone({ ...page, ...at(201, 99, 1, true) }, 0), false);
   assert.equal(isDone({ ...page, ...at(201, 99, 1) }, 0), true);
 });
 
-test("what happened before a step began does not count for it", () => {
+test("events from before a step do not count for it", () => {
   const page = waiting({ notice: "stopped" }, { notices: [{ number: 7, type: "stopped" }] });
   assert.equal(isDone(page, 0), false);
   assert.equal(isDone(reduce(page, { type: "notice", notice: { number: 8, type: "stopped" } }), 0), true);
 });
 
-test("an answer may be written with a comma, and has to be near enough", () => {
+test("an answer may contain a decimal comma, and must be near enough", () => {
   const page = waiting({ answer: { is: 26.57, within: 0.2 } });
   const said = (text) => isDone(reduce(page, { type: "lesson_answer", text }), 0);
   assert.deepEqual(["", "26", "26,6", "26.5", "x"].map(said), [false, false, true, true, false]);

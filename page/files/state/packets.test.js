@@ -10,29 +10,29 @@ const after = (messages, from = NO_PACKETS) => messages.reduce(reducePackets, fr
 const SOME = after([{ type: "packets", packets: [STATUS, MOVE, UNKNOWN] }]);
 const numbers = (packets) => wanted(packets).map((it) => it.number);
 
-test("a packet is told in one line, and one that means nothing by why", () => {
+test("a packet is shown in one line, and one without a meaning with the reason", () => {
   assert.deepEqual([STATUS, MOVE, UNKNOWN].map(line), ["x_mm 200.12 suction false", "move_to x_mm 210 mode jump", "float 1 (state) is 11"]);
 });
 
-test("packets are shown by their way, by what they say and by their bytes", () => {
+test("packets are filtered by direction, by meaning and by their bytes", () => {
   assert.deepEqual(numbers(SOME), [1, 2, 3]);
   assert.deepEqual(numbers(after([{ type: "packets_way", way: "to_arm" }], SOME)), [2, 3]);
   assert.deepEqual(numbers(after([{ type: "packets_filter", text: " MOVE_TO" }], SOME)), [2]);
   assert.deepEqual(numbers(after([{ type: "packets_filter", text: "a5ff" }], SOME)), [3]);
 });
 
-test("a list that is paused stays as it is, and shows all that passed when it goes on", () => {
+test("a paused list does not change, and shows all packets when it continues", () => {
   const paused = after([{ type: "packets_frozen", frozen: true }, { type: "packets", packets: [MOVE] }], SOME);
   assert.deepEqual(numbers(paused), [1, 2, 3]);
   assert.deepEqual(numbers(after([{ type: "packets_frozen", frozen: false }], paused)), [1, 2, 3, 4]);
 });
 
-test("only the newest are kept, and their numbers go on", () => {
+test("only the newest are kept, and their numbers continue", () => {
   const many = after([{ type: "packets", packets: Array.from({ length: 2500 }, () => STATUS) }], SOME);
   assert.deepEqual([many.passed.length, many.passed[0].number, many.passed.at(-1).number], [2000, 504, 2503]);
 });
 
-test("what is exported is a line of JSON for each packet", () => {
+test("the export has one line of JSON for each packet", () => {
   const lines = exported(wanted(SOME)).trimEnd().split("\n");
   assert.deepEqual(JSON.parse(lines[1]), { ...MOVE, number: 2 });
   assert.equal(lines.length, 3);

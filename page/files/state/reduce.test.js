@@ -21,7 +21,7 @@ const after = (messages, page = NEW) => messages.reduce(reduce, page);
 const OPEN = after([{ type: "hello", client: 7, role: "control", version: "1", now_ms: 1000 }, { type: "state", station: STATION, now_ms: 1000 }]);
 const afterState = (change, page = OPEN) => after([{ type: "state", station: { ...STATION, ...change }, now_ms: 1000 }], page);
 
-test("the arm can be moved by hand where nobody or this page has control, and nothing forbids it", () => {
+test("the arm can be moved by hand if control is free or held by this page, and nothing prevents it", () => {
   assert.equal(blockedReason(NEW), "no_connection");
   assert.equal(blockedReason(OPEN), null);
   const lease = (client) => ({ client, name: "desk", is_program: false, since_s: 0, asked_by: [] });
@@ -35,21 +35,21 @@ test("the arm can be moved by hand where nobody or this page has control, and no
   assert.equal(blockedReason(after([{ type: "closed", needs_token: false }], OPEN)), "no_connection");
 });
 
-test("a locked arm is moved by administrators alone, and the page knows that first", () => {
+test("a locked arm is moved by administrators alone, and the page knows that in advance", () => {
   const lock = { by: "Ms Lee", message: "eyes on me", at_s: 1 };
   assert.equal(blockedReason(afterState({ lock })), "locked");
   const admin = after([{ type: "hello", client: 7, role: "admin", version: "1", now_ms: 1000 }, { type: "state", station: { ...STATION, lock }, now_ms: 1000 }]);
   assert.equal(blockedReason(admin), null);
 });
 
-test("what somebody says to all is shown until it is closed; what happens besides does not hide it", () => {
+test("a message to all is shown until it is closed, and other events do not hide it", () => {
   const notice = (type, text) => ({ type: "notice", notice: { number: 1, at_s: 1, type, text } });
   const said = after([notice("message", "Ms Lee: five minutes"), notice("stopped", "the arm was stopped by Bo")], OPEN);
   assert.equal(said.message, "Ms Lee: five minutes");
   assert.equal(after([{ type: "message_closed" }], said).message, null);
 });
 
-test("the picture is old half a second after the last status, and not while no arm is there", () => {
+test("the picture is outdated half a second after the last status, except while there is no arm", () => {
   const later = (now_ms, page = OPEN) => silence_ms(after([{ type: "tick", now_ms }], page));
   assert.equal(later(1400), 0);
   assert.equal(later(1600), 600);
@@ -57,16 +57,16 @@ test("the picture is old half a second after the last status, and not while no a
   assert.equal(later(1600, after([{ type: "closed", needs_token: false }], OPEN)), 600);
 });
 
-test("what was not typed yet stays as the arm is", () => {
+test("fields that were not edited follow the arm", () => {
   const { target } = after([{ type: "target_typed", field: "x_mm", text: "250" }], OPEN);
   assert.deepEqual(placeOf(target), { x_mm: 250, y_mm: 0, z_mm: 50, rotation_deg: 10 });
 });
 
-test("a field that holds no number is no place", () => {
+test("a field without a number is not a place", () => {
   for (const text of ["", " ", "2x", "Infinity"]) assert.equal(placeOf(after([{ type: "target_typed", field: "x_mm", text }], OPEN).target), null, text);
 });
 
-test("an answer to an earlier question is not taken", () => {
+test("an answer to an earlier question is ignored", () => {
   const asked = after([{ type: "target_typed", field: "x_mm", text: "250" }], OPEN);
   const typed = after([{ type: "target_typed", field: "x_mm", text: "260" }], asked);
   const free = { type: "free", takes_s: 1 };
@@ -74,20 +74,20 @@ test("an answer to an earlier question is not taken", () => {
   assert.equal(after([{ type: "target_checked", revision: typed.target.revision, check: free }], typed).target.check.type, "free");
 });
 
-test("a target is forgotten when the arm that was sent there has come to it, not when it merely passes", () => {
+test("a target is cleared when the arm sent there has arrived, not when it merely passes", () => {
   const there = after([{ type: "target_typed", field: "x_mm", text: "250" }], OPEN);
   const arrives = { arm: { ...ARM, x_mm: 249.9 } };
   assert.notEqual(afterState(arrives, there).target.typed, null);
   assert.equal(afterState(arrives, after([{ type: "target_goes" }], there)).target.typed, null);
 });
 
-test("a new connection asks for the target once more", () => {
+test("a new connection checks the target again", () => {
   const there = after([{ type: "target_typed", field: "x_mm", text: "250" }, { type: "closed", needs_token: false }], OPEN);
   const again = after([{ type: "hello", client: 8, role: "control", version: "1", now_ms: 0 }], there);
   assert.ok(again.target.revision > there.target.revision);
 });
 
-test("a target is asked for once more when the policy, the link, the trust in the pose or the dialect is another one", () => {
+test("a target is checked again when the policy, the link, the trust in the pose or the dialect changes", () => {
   const there = after([{ type: "target_typed", field: "x_mm", text: "250" }], OPEN);
   const isAskedAgain = (page) => page.target.revision > there.target.revision;
   assert.ok(isAskedAgain(after([{ type: "notice", notice: { at_s: 1, type: "policy_changed", client: 8 } }], there)));
@@ -99,17 +99,17 @@ test("a target is asked for once more when the policy, the link, the trust in th
   assert.equal(after([{ type: "target_goes" }, { type: "notice", notice: { at_s: 1, type: "policy_changed", client: 8 } }], there).target.goes, true);
 });
 
-test("STOP takes a question away, so that a later yes does nothing", () => {
+test("STOP closes a question, so that a later yes does nothing", () => {
   assert.equal(after([{ type: "question", question: { about: "arm_laser" } }, { type: "stop_pressed" }], OPEN).question, null);
 });
 
-test("a refusal of a press is told until the next press", () => {
+test("a refusal of a press is shown until the next press", () => {
   const refused = after([{ type: "jog_held", axis: "z_minus" }, { type: "jog_held", axis: null }, { type: "jog_refused", axis: "z_minus", detail: "the table" }], OPEN);
   assert.deepEqual(refused.jog.refused, { axis: "z_minus", detail: "the table" });
   assert.equal(after([{ type: "jog_held", axis: "z_plus" }], refused).jog.refused, null);
 });
 
-test("a view has the same objects for what did not change", () => {
+test("a view keeps the same objects for unchanged parts", () => {
   const viewOf = createViewOf();
   const words = { dark: false, note: "", label: "" };
   const policy = { joints: {}, workspace: {}, tool_length: { suction_cup_mm: 60 }, table: { z_mm: -100 }, keep_out: { a: { box: {} } } };
@@ -119,7 +119,7 @@ test("a view has the same objects for what did not change", () => {
   assert.notEqual(viewOf(afterState({ at_s: 2 }, page), words).arm, one.arm);
 });
 
-test("the stage has no arm before the station has served its lengths, and then those of the tool that it carries", () => {
+test("the stage has no arm before the station has served its lengths, and then those of the mounted tool", () => {
   const viewOf = createViewOf();
   const words = { dark: false, note: "", label: "" };
   assert.equal(viewOf(OPEN, words).arm, null);
@@ -128,7 +128,7 @@ test("the stage has no arm before the station has served its lengths, and then t
   assert.deepEqual([view.arm.rear_deg, view.shape.rear_arm_mm, view.shape.reach_mm, view.status_s], [45, 135, 49.57, 0.08]);
 });
 
-test("the limits of the ghost are brought out where there is one, and keep-outs near to either", () => {
+test("limits near the ghost are highlighted if there is one, and keep-outs near either", () => {
   const viewOf = createViewOf();
   const words = { dark: false, note: "", label: "" };
   const [rear, z] = [{ quantity: "rear", bound: 85, closeness: 0.4 }, { quantity: "z", bound: 136, closeness: 1 }];
@@ -140,7 +140,7 @@ test("the limits of the ghost are brought out where there is one, and keep-outs 
   assert.deepEqual(viewOf(OPEN, words).near, { limits: [], keep_outs: {} });
 });
 
-test("a STOP that nobody answers is told until somebody does, and that it was answered until the arm may move again", () => {
+test("a STOP without an answer is shown until there is one, and its answer until the arm may move again", () => {
   const stop = { by: "page", reason: null, at_s: 1, rests_by_s: 1, at_rest: true };
   const answered = { type: "stop_answered", after_s: 0.1 };
   assert.equal(after([{ type: "stop_pressed" }, answered], OPEN).late_stop, null);
@@ -152,7 +152,7 @@ test("a STOP that nobody answers is told until somebody does, and that it was an
   assert.equal(after([{ type: "stop_pressed" }], lateStopped).late_stop, null);
 });
 
-test("a drafted keep-out is shown while the next change of the draft is looked at, until the draft is forgotten", () => {
+test("a drafted keep-out is shown while the next change of the draft is checked, until the draft is discarded", () => {
   const policy = { joints: {}, workspace: {}, tool_length: { suction_cup_mm: 60 }, table: { z_mm: -100 }, keep_out: {} };
   const drafted = { ...policy, keep_out: { a: { box: {} } } };
   const page = after([{ type: "policy", policy }, { type: "tab", tab: "set_up" }, { type: "policy_text", text: "kept" }, { type: "policy_typed", text: "with a" }], OPEN);
@@ -168,7 +168,7 @@ test("a drafted keep-out is shown while the next change of the draft is looked a
   assert.deepEqual(shownPolicy(after([{ type: "tab", tab: "move" }], bad)), policy);
 });
 
-test("while a recording is shown the stage is grey, and nothing that holds now stands beside the arm of then", () => {
+test("while a recording is shown the stage is grey, and no live data is shown beside the recorded arm", () => {
   const states = { begin_ms: 0, spacing_s: 0, samples: [{ ...ARM, at_s: 0, base_deg: 30 }, { ...ARM, at_s: 2, base_deg: 50 }] };
   const page = after([{ type: "tab", tab: "jobs" }, { type: "planned", planned: [[0, 0, 0]] }, { type: "recording_chosen", name: "a" }, { type: "recording_read", name: "a", states }, { type: "recording_at", at_s: 1 }, { type: "facts", facts: FACTS }], OPEN);
   const viewOf = createViewOf();

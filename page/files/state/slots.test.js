@@ -2,12 +2,12 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { isSamePerson, timeNext, timeNow } from "./slots.js";
 
-test("names are those of one person whatever their capital letters and spaces", () => {
+test("names belong to one person regardless of capital letters and spaces", () => {
   assert.ok(isSamePerson(" anna", "Anna"));
   assert.ok(!isSamePerson("Anna B", "Anna"));
 });
 
-test("whose time it is, for how long, and when the arm is free, by the station's own time", () => {
+test("the current student, the remaining time and the end of the slots follow the clock of the station", () => {
   const now = { student: "Anna", starts_s: 0, ends_s: 130 }, next = { student: "Ben", starts_s: 130, ends_s: 400 };
   const station = { at_s: 100, slots: { now, next, free_s: 400 } };
   assert.deepEqual(timeNow(station), { student: "Anna", left_s: 30, free_in_s: 300 });

@@ -9,7 +9,7 @@ const REPORT = { title: "", problems: [], once_s: 3, steps: [{ label: "go", file
 const after = (messages, teach = NO_TEACH) => messages.reduce(reduceTeach, teach);
 const typed = (text) => ({ type: "teach_text", text });
 
-test("a row is a step of the text, with what stands below it, without comments", () => {
+test("a row is a step of the text with its nested lines, without comments", () => {
   assert.deepEqual(rowsOf(TEXT), [
     { line: 3, last: 7, says: 'go = { x = 1 }, path = "movl"' },
     { line: 8, last: 12, says: "repeat = 2, [[steps.steps]], pause = 1" },
@@ -17,7 +17,7 @@ test("a row is a step of the text, with what stands below it, without comments",
   assert.deepEqual(rowsOf(""), []);
 });
 
-test("a program without a title is called as its file", () => {
+test("a program without a title has the name of its file", () => {
   assert.equal(titled("[[steps]]", "my cubes.toml"), 'title = "my cubes"\n\n[[steps]]');
   assert.equal(titled(TEXT, "x.toml"), TEXT);
 });
@@ -30,7 +30,7 @@ test("lines, times and numbers of steps belong to their rows", () => {
   assert.deepEqual([stepOf(rows[0], REPORT), stepOf(rows[1], REPORT), stepOf(undefined, REPORT)], [1, 2, null]);
 });
 
-test("a thousand changes can be undone and done again", () => {
+test("a thousand changes can be undone and redone", () => {
   let teach = NO_TEACH;
   for (let n = 1; n <= 1200; n += 1) teach = reduceTeach(teach, typed(`# ${n}`));
   for (let n = 0; n < 1000; n += 1) teach = reduceTeach(teach, { type: "teach_undo" });
@@ -40,24 +40,24 @@ test("a thousand changes can be undone and done again", () => {
   assert.equal(teach.text, "# 1200");
 });
 
-test("a change after an undo forgets what was undone", () => {
+test("a change after an undo discards the undone changes", () => {
   const teach = after([typed("a"), typed("b"), { type: "teach_undo" }, typed("c"), { type: "teach_redo" }]);
   assert.equal(teach.text, "c");
 });
 
-test("an answer to an earlier text is not taken", () => {
+test("an answer to an earlier text is ignored", () => {
   const teach = after([typed("a"), typed("b")]);
   assert.equal(reduceTeach(teach, { type: "teach_checked", revision: teach.revision - 1, report: REPORT }).report, null);
 });
 
-test("a change is kept as what differs, so that a thousand changes of a long program fit into memory", () => {
+test("a change is stored as a difference, so that a thousand changes of a long program fit into memory", () => {
   const long = "pause = 1\n".repeat(10_000);
   assert.deepEqual(changeOf(`a${long}z`, `a${long}yz`), { at: long.length + 1, was: "", is: "y" });
   assert.deepEqual(changeOf("aa", "aaa"), { at: 2, was: "", is: "a" });
   assert.deepEqual(changeOf("same", "same"), { at: 4, was: "", is: "" });
 });
 
-test("the place of a step is that in its text or that of the point it names, and not one in angles or another frame", () => {
+test("the place of a step is that in its text or of its named point, and never one in angles or another frame", () => {
   const text = '[points]\nhigh = { x = 1, y = -2.5, z = 3e1 }\n[[steps]]\ngo = "high"\n[[steps]]\ngo = { x = 1, y = 2, z = 3, rotation = 4 }\n[[steps]]\ngo = { base = 1, rear = 2, fore = 3 }\n[[steps]]\ngo = { x = 1, y = 2, z = 3, frame = "tray" }\n[[steps]]\npause = 1\n';
   const rows = rowsOf(text);
   const places = rows.map((row) => placeOfStep(text, row));
@@ -66,7 +66,7 @@ test("the place of a step is that in its text or that of the point it names, and
   assert.match(withPlace(text, rows[0], { x_mm: 7, y_mm: 8, z_mm: 9, rotation_deg: 5 }), /^high = \{ x = 7, y = 8, z = 9, rotation = 5 \}$/m);
 });
 
-test("a place that is dragged is one change when it is let go, and none when the arm was stopped", () => {
+test("dragging a place is one change when it is released, and none when the arm was stopped", () => {
   const text = "[[steps]] # first\ngo = { x = 1, y = 2, z = 3 } # here\n", place = (x_mm) => ({ x_mm, y_mm: 2, z_mm: 3, rotation_deg: 0 });
   const drag = (x_mm, phase = "drag") => ({ type: "teach_placed", place: place(x_mm), phase });
   const held = after([typed(text), { type: "teach_chosen", row: 0 }, drag(5), drag(6)]);

@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { createReader } from "./event_stream.js";
 
-test("events are read wherever their text is cut, and signs of life are none", () => {
+test("events are read from chunks of any size, and keep-alives are ignored", () => {
   const text = 'event: packet\ndata: {"at_s":1}\n\n:\n\nevent: lost\ndata: {"lost":3}\n\n';
   for (let at = 0; at <= text.length; at += 1) {
     const heard = [];

@@ -11,7 +11,7 @@ function watch(t) {
   return { found, heard, pass: (ms) => t.mock.timers.tick(ms) };
 }
 
-test("a station is silent 2 s after what came last, and again as long after that", (t) => {
+test("a station is silent 2 s after its last message, and again as long after that", (t) => {
   const { found, heard, pass } = watch(t);
   pass(1900);
   heard();
@@ -23,7 +23,7 @@ test("a station is silent 2 s after what came last, and again as long after that
   assert.equal(found.silent, 2);
 });
 
-test("a station that has nothing to say is not silent", (t) => {
+test("a station without news is not silent", (t) => {
   const { found, pass } = watch(t);
   found.isExpected = false;
   pass(10_000);

@@ -22,27 +22,27 @@ function button(t, { first = () => false, again = () => false } = {}) {
   return { log, press, pass };
 }
 
-test("a stop is asked for in the moment of the press", (t) => {
+test("a stop is sent at the moment of the press", (t) => {
   const { log, press } = button(t);
   press();
   assert.deepEqual(log, ["first 0"]);
 });
 
-test("a stop that is answered is not asked for again", async (t) => {
+test("an answered stop is not sent again", async (t) => {
   const { log, press, pass } = button(t, { first: () => true });
   press();
   await pass(5000);
   assert.deepEqual(log, ["first 0", "answered 0"]);
 });
 
-test("a stop that nothing answers is asked for again after 0.3 s and each second, and after 1 s a person knows", async (t) => {
+test("an unanswered stop is sent again after 0.3 s and each second, and is shown to the person after 1 s", async (t) => {
   const { log, press, pass } = button(t);
   press();
   await pass(3500);
   assert.deepEqual(log, ["first 0", "again 300", "late 1000", "again 1300", "again 2300", "again 3300"]);
 });
 
-test("an answer on any way ends it, however late, and says how long it took", async (t) => {
+test("an answer over any connection ends it, however late, and its delay is shown", async (t) => {
   let isThere = false;
   const { log, press, pass } = button(t, { first: () => new Promise(() => {}), again: () => isThere });
   press();
@@ -52,7 +52,7 @@ test("an answer on any way ends it, however late, and says how long it took", as
   assert.deepEqual(log, ["first 0", "again 300", "late 1000", "again 1300", "again 2300", "answered 2300"]);
 });
 
-test("each press asks at once, and presses in a row delay neither the next try nor what a person has to know", async (t) => {
+test("each press is sent at once, and repeated presses delay neither the next attempt nor the warning", async (t) => {
   const { log, press, pass } = button(t);
   for (let times = 0; times < 6; times += 1) {
     press();
@@ -61,7 +61,7 @@ test("each press asks at once, and presses in a row delay neither the next try n
   assert.deepEqual(log, ["first 0", "first 200", "again 300", "first 400", "first 600", "first 800", "late 1000", "first 1000"]);
 });
 
-test("the late answer to a stop before is none to this one", async (t) => {
+test("the late answer to an earlier stop does not answer this one", async (t) => {
   const answers = [];
   const { log, press, pass } = button(t, { first: () => new Promise((answer) => answers.push(answer)), again: () => answers.length === 1 });
   press();

@@ -210,14 +210,14 @@ mod tests {
     }
 
     #[test]
-    fn the_port_is_the_stations_own_unless_told_otherwise() {
+    fn the_port_defaults_to_that_of_the_station() {
         for text in ["http://localhost", "http://localhost/", "https://[::1]"] {
             assert_eq!(StationAddress::new(text).unwrap().port(), 8642, "{text}");
         }
     }
 
     #[test]
-    fn says_what_is_allowed_when_the_text_is_no_address() {
+    fn text_that_is_not_an_address_is_refused_with_what_is_allowed() {
         for text in [
             "",
             "localhost:8642",
@@ -259,7 +259,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn no_text_makes_it_panic_and_what_is_read_is_written_the_same(text in ".{0,40}") {
+        fn no_text_makes_it_panic_and_every_address_is_written_as_it_was_read(text in ".{0,40}") {
             let _ = fingerprint(&text);
             if let Ok(address) = StationAddress::new(&format!("http://{text}")) {
                 prop_assert_eq!(&StationAddress::new(&address.to_string()).unwrap(), &address);

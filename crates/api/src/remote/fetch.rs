@@ -121,7 +121,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn status_and_body_are_told_apart() {
+    fn status_and_body_are_distinguished() {
         let answer = b"HTTP/1.1 404 Not Found\r\nContent-Length: 2\r\n\r\n{}";
         assert_eq!(split(answer), Some((404, &b"{}"[..])));
         assert_eq!(split(b"SSH-2.0-OpenSSH\r\n\r\n"), None);

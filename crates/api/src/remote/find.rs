@@ -131,7 +131,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn who_says_a_token_is_known_by_that_one_at_the_station_of_this_machine_too() {
+    fn an_explicit_token_is_used_even_at_the_station_of_this_machine() {
         let mut here = StationAddress::new(USUAL).expect("it is an address");
         here.token = Some("everything".to_owned());
         let says = |token: Option<&str>| {

@@ -14,7 +14,7 @@ use tokio_tungstenite::tungstenite::protocol::CloseFrame;
 use tokio_tungstenite::tungstenite::protocol::frame::coding::CloseCode;
 use tokio_tungstenite::{WebSocketStream, accept_hdr_async};
 
-/// A station that sends what a test wants.
+/// A station that sends the messages of a test.
 pub(crate) struct Fake<S = TcpStream>(WebSocketStream<S>);
 
 impl<S: AsyncRead + AsyncWrite + Unpin> Fake<S> {
@@ -87,7 +87,7 @@ async fn the_name_and_the_token_reach_the_station() {
 }
 
 #[tokio::test]
-async fn an_answer_is_told_from_what_comes_before_it_and_nothing_of_that_is_lost() {
+async fn an_answer_is_distinguished_from_earlier_messages_and_none_of_them_is_lost() {
     let (mut remote, mut fake) = pair().await;
     let serve = async {
         let asked = fake.receive().await;
@@ -127,7 +127,7 @@ async fn next_at_s(remote: &mut Remote) -> f64 {
 }
 
 #[tokio::test]
-async fn a_client_that_waits_for_a_person_answers_that_it_is_there_and_then_hears_the_last_state() {
+async fn a_client_that_waits_for_a_person_stays_connected_and_then_gets_the_last_state() {
     let (mut remote, mut fake) = pair().await;
     fake.say(notice(1, &json!({"type": "link_up"}), "here"))
         .await;
@@ -140,7 +140,7 @@ async fn a_client_that_waits_for_a_person_answers_that_it_is_there_and_then_hear
 }
 
 #[tokio::test]
-async fn states_that_come_in_a_burst_are_all_told() {
+async fn states_that_arrive_in_a_burst_are_all_delivered() {
     let (mut remote, mut fake) = pair().await;
     for second in 1..=16 {
         fake.say(state(second.into())).await;
@@ -152,7 +152,7 @@ async fn states_that_come_in_a_burst_are_all_told() {
 }
 
 #[tokio::test]
-async fn whoever_asks_hears_no_state_from_before_the_last_one() {
+async fn a_request_is_followed_by_no_state_older_than_the_last_one() {
     let (mut remote, mut fake) = pair().await;
     for second in 1..=9 {
         fake.say(state(second.into())).await;
@@ -169,7 +169,7 @@ async fn whoever_asks_hears_no_state_from_before_the_last_one() {
 }
 
 #[tokio::test]
-async fn whoever_comes_back_to_a_station_that_has_gone_is_told_why_it_went() {
+async fn a_client_that_returns_to_an_ended_station_gets_the_reason() {
     let (mut remote, mut fake) = pair().await;
     fake.say(notice(1, &json!({"type": "link_up"}), "here"))
         .await;
@@ -188,7 +188,7 @@ async fn whoever_comes_back_to_a_station_that_has_gone_is_told_why_it_went() {
 }
 
 #[tokio::test]
-async fn an_answer_that_comes_too_late_is_not_taken_for_another_one() {
+async fn an_answer_that_arrives_too_late_is_not_mistaken_for_another_one() {
     let (mut remote, mut fake) = pair().await;
     let given_up = tokio::select! {
         biased;
@@ -207,7 +207,7 @@ async fn an_answer_that_comes_too_late_is_not_taken_for_another_one() {
 }
 
 #[tokio::test]
-async fn a_refusal_comes_with_its_text_its_kind_and_its_hint() {
+async fn a_refusal_has_its_text_its_kind_and_its_hint() {
     let (mut remote, mut fake) = pair().await;
     let serve = async {
         let asked = fake.receive().await;
@@ -226,7 +226,7 @@ async fn a_refusal_comes_with_its_text_its_kind_and_its_hint() {
 }
 
 #[tokio::test]
-async fn a_station_that_ends_is_told() {
+async fn a_station_that_ends_is_reported() {
     let (mut remote, fake) = pair().await;
     drop(fake);
     let error = remote.next().await.unwrap_err();
@@ -237,7 +237,7 @@ async fn a_station_that_ends_is_told() {
 }
 
 #[tokio::test]
-async fn what_nobody_understands_is_told_and_nothing_panics() {
+async fn an_unknown_message_is_reported_and_nothing_panics() {
     for text in ["", "{", "{}", "[]", "{\"state\":{}}", "{\"id\":1}", "null"] {
         let (mut remote, mut fake) = pair().await;
         fake.0.send(Message::text(text)).await.unwrap();
@@ -247,7 +247,7 @@ async fn what_nobody_understands_is_told_and_nothing_panics() {
 }
 
 #[tokio::test]
-async fn where_nobody_listens_there_is_no_station() {
+async fn without_a_listener_there_is_no_station() {
     let (listener, address) = listen().await;
     drop(listener);
     let error = Remote::connect(&address, "test").await.unwrap_err();
@@ -255,7 +255,7 @@ async fn where_nobody_listens_there_is_no_station() {
     assert!(error.hint().unwrap().contains("dobot up"));
 }
 
-/// Answers one question over HTTP, whatever it is.
+/// Answers any one request over HTTP.
 async fn answer(listener: TcpListener, answer: String) -> String {
     let (mut stream, _) = listener.accept().await.unwrap();
     let mut question = vec![0; 2000];
@@ -265,7 +265,7 @@ async fn answer(listener: TcpListener, answer: String) -> String {
 }
 
 #[tokio::test]
-async fn a_station_that_lets_nobody_in_says_why() {
+async fn a_station_that_refuses_a_client_gives_the_reason() {
     let problem = json!({
         "type": "/api/v1/problems/unauthorized", "title": "unknown", "status": 401,
         "detail": "the token is not known", "hint": "dobot token add",
@@ -281,7 +281,7 @@ async fn a_station_that_lets_nobody_in_says_why() {
 }
 
 #[tokio::test]
-async fn what_is_no_station_is_told() {
+async fn a_server_that_is_not_a_station_is_reported() {
     for text in [
         "SSH-2.0-OpenSSH_9.2\r\n",
         "HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\nhi",

@@ -54,7 +54,7 @@ async fn over_tls(
 }
 
 #[tokio::test]
-async fn a_certificate_is_trusted_by_its_fingerprint_and_no_other_one_is() {
+async fn a_certificate_is_trusted_by_its_fingerprint_and_no_other_certificate_is() {
     let (certificate, acceptor) = acceptor("station");
     let digest: [u8; 32] = Sha256::digest(certificate).into();
     let pinned = |digest| Some(CertificateTrust::Fingerprint(digest));
@@ -68,7 +68,7 @@ async fn a_certificate_is_trusted_by_its_fingerprint_and_no_other_one_is() {
 }
 
 #[tokio::test]
-async fn a_certificate_is_trusted_by_who_issued_it() {
+async fn a_certificate_is_trusted_by_its_issuer() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("ca.pem");
     let (_, station) = acceptor("station");

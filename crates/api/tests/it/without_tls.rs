@@ -4,7 +4,7 @@ use dobot_api::{CertificateTrust, ConnectError, Remote, StationAddress};
 use tokio::net::TcpListener;
 
 #[tokio::test]
-async fn a_client_without_tls_says_how_to_get_it() {
+async fn a_client_without_tls_explains_how_to_get_it() {
     let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
     let port = listener.local_addr().unwrap().port();
     let mut address = StationAddress::new(&format!("https://localhost:{port}")).unwrap();

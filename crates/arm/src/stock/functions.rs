@@ -92,7 +92,7 @@ fn series<const N: usize>(coefficients: &[f64; N], x: f32) -> f64 {
     let first = coefficients[0];
     coefficients[1..]
         .iter()
-        .fold(first, |sum, it| it + term(sum, x))
+        .fold(first, |sum, coefficient| coefficient + term(sum, x))
 }
 
 /// What the sum of the higher powers adds to a coefficient.
@@ -194,7 +194,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
 
         #[test]
-        fn doubles_hold_what_the_processor_calculates_in_whole_numbers(
+        fn double_precision_matches_the_integer_arithmetic_of_the_processor(
             angle in numbers(-40..8),
             slope in numbers(-40..20),
             cosine in -1.0_f32..=1.0,
@@ -225,7 +225,7 @@ mod tests {
         }
 
         #[test]
-        fn only_what_is_no_number_or_too_large_gives_no_number(bits: u32, more: u32) {
+        fn only_nan_and_overflow_give_nan(bits: u32, more: u32) {
             let (a, b) = (f32::from_bits(bits), f32::from_bits(more));
             let (sin, cos) = sin_cos(a);
             prop_assert_eq!(sin.is_nan(), !a.is_finite(), "sin {}", a);
@@ -239,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn the_quarters_of_a_turn_are_where_they_belong() {
+    fn the_quarters_of_a_turn_are_exact() {
         for (y, x, expected) in [
             (0.0, 1.0, 0.0),
             (-0.0, 1.0, -0.0),
@@ -345,7 +345,7 @@ mod tests {
             coefficients.fold(first, |so_far, it| sum(product(so_far, x), it))
         }
 
-        /// Of the first 24 digits of each. What is behind the 32nd is lost, but for the last step.
+        /// Of the first 24 digits of each. Digits after the 32nd are lost, except in the last step.
         fn product(a: Wide, b: Wide) -> Wide {
             let digits = (a.mantissa >> 8) * (b.mantissa >> 8);
             let shift = i32::from(digits != 0 && digits >> 47 == 0);
@@ -375,7 +375,7 @@ mod tests {
             if large.is_negative == small.is_negative {
                 digits += (shifted << 8) | u64::from(is_cut);
             } else {
-                // Whatever is left over stands for almost a digit.
+                // Any remainder is worth almost a digit.
                 digits -= (shifted << 8) + u64::from(is_cut);
             }
             while digits >> 40 != 0 {

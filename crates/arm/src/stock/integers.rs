@@ -41,19 +41,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_behind_the_point_is_cut_off_towards_zero() {
+    fn decimals_are_truncated_towards_zero() {
         assert_eq!([whole(2.9), whole(-2.9)], [2, -2]);
         assert_eq!([short(2.9), short(-2.9)], [2, -2]);
     }
 
     #[test]
-    fn sixteen_bits_keep_the_lower_half_of_what_is_too_large_for_them() {
+    fn sixteen_bits_keep_the_lower_half_of_larger_numbers() {
         assert_eq!(short(32_768.0), i16::MIN);
         assert_eq!(short(65_536.0 + 5.0), 5);
     }
 
     #[test]
-    fn without_a_sign_the_same_bits_are_another_number() {
+    fn unsigned_the_same_bits_are_another_number() {
         assert_eq!(short_unsigned(33_833.3), 33_833);
         assert_eq!(short_unsigned(-166.6), u16::MAX - 165);
         assert_eq!(short_unsigned(2_147_483_648.0 + 512.0), 512);
@@ -62,7 +62,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_or_does_not_fit_becomes_0() {
+    fn nan_and_overflow_become_0() {
         for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 3e9, -3e9] {
             assert_eq!((whole(value), short(value)), (0, 0), "of {value}");
         }

@@ -29,7 +29,7 @@ proptest! {
     }
 
     #[test]
-    fn the_inverse_of_any_place_in_geometric_reach_leads_there(
+    fn the_inverse_of_any_place_in_geometric_reach_reaches_it(
         base in -180.0..180.0, elevation in -90.0_f64..90.0, distance in 25.0..295.0,
         tool in tools(),
     ) {
@@ -45,7 +45,7 @@ proptest! {
     }
 
     #[test]
-    fn checking_angles_and_checking_angles_with_their_place_judge_alike(
+    fn checking_angles_with_and_without_their_place_gives_the_same_result(
         (joints, tool) in any_joints(),
     ) {
         let position = forward(&joints, tool).position;
@@ -57,7 +57,7 @@ proptest! {
     }
 
     #[test]
-    fn whatever_passes_the_check_is_within_every_limit((joints, tool) in any_joints()) {
+    fn any_pose_that_passes_the_check_is_within_every_limit((joints, tool) in any_joints()) {
         let pose = forward(&joints, tool);
         let [reach, z] = [pose.position.x.0.hypot(pose.position.y.0), pose.position.z.0];
         let opening = joints.rear.0 - joints.fore.0;
@@ -69,7 +69,7 @@ proptest! {
     }
 
     #[test]
-    fn an_error_tells_a_range_that_the_found_value_is_outside_of((joints, tool) in any_joints()) {
+    fn an_error_gives_a_range_that_excludes_the_found_value((joints, tool) in any_joints()) {
         if let Err(Unreachable::OutOfRange { found, min, max, .. }) = Limits::STOCK.check(&joints, tool) {
             prop_assert!(found < min || found > max);
         }
@@ -139,7 +139,7 @@ fn fully_stretched_and_fully_folded_are_the_ends_of_geometric_reach() {
 }
 
 #[test]
-fn too_far_says_by_how_much_and_what_bounds_it() {
+fn too_far_reports_the_excess_and_the_limit() {
     let pose = Pose {
         position: Position::new(367.57, 0.0, 0.0),
         ..Pose::default()
@@ -154,7 +154,7 @@ fn too_far_says_by_how_much_and_what_bounds_it() {
 }
 
 #[test]
-fn too_near_says_by_how_much_and_what_bounds_it() {
+fn too_near_reports_the_excess_and_the_limit() {
     let pose = Pose {
         position: Position::new(65.07, 0.0, 0.0),
         ..Pose::default()
@@ -186,7 +186,7 @@ fn beyond_the_reach_of_the_workspace_names_reach() {
 }
 
 #[test]
-fn each_joint_limit_is_named_with_what_was_found_and_by_how_much_it_is_exceeded() {
+fn each_joint_limit_is_named_with_the_found_value_and_the_excess() {
     let cases = [
         (
             Joints::new(180.5, 30.0, 30.0, 0.0),
@@ -238,7 +238,7 @@ fn every_bound_itself_is_allowed() {
 }
 
 #[test]
-fn a_number_that_is_not_finite_never_passes_wherever_it_stands() {
+fn a_number_that_is_not_finite_never_passes_in_any_position() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for n in 0..4 {
             let place = |m: usize, good: f64| if m == n { bad } else { good };

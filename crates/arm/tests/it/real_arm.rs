@@ -22,7 +22,7 @@ fn every_pose_of_the_real_arm_agrees_with_the_stock_forward_kinematics() {
 }
 
 #[test]
-fn the_stock_inverse_leads_back_to_the_angles_that_the_real_arm_was_sent_to() {
+fn the_stock_inverse_gives_the_angles_that_the_real_arm_was_sent_to() {
     for row in rows() {
         let [x_mm, y_mm, z_mm] = row.position_mm.map(narrow);
         let rotation_deg = narrow(row.joints_deg[0]);
@@ -41,7 +41,7 @@ fn the_stock_inverse_leads_back_to_the_angles_that_the_real_arm_was_sent_to() {
             (got.rear_deg, stretched.rear_deg),
             (got.fore_deg, stretched.fore_deg),
         ] {
-            // A position to 5 decimals in single precision tells an angle to about 1e-4 degrees.
+            // A position to 5 decimals in single precision determines an angle to about 1e-4 degrees.
             let off_deg = (got - expected).abs();
             assert!(
                 off_deg <= 2e-4,

@@ -63,9 +63,9 @@ fn recorded_angles_follow_from_their_places_to_the_last_digit() {
     }
 }
 
-/// As a jump to base 25, rear 35, fore 50 ended: what it calculates first is the place.
+/// As a jump to base 25, rear 35, fore 50 ended: it calculates the place first.
 #[test]
-fn angles_do_not_come_back_from_their_place_as_they_were() {
+fn angles_are_not_exactly_recovered_from_their_place() {
     let joints = StockJoints {
         base_deg: 25.0,
         rear_deg: 35.0,
@@ -79,9 +79,9 @@ fn angles_do_not_come_back_from_their_place_as_they_were() {
     );
 }
 
-/// As the arm believed to stand that was powered up at these angles.
+/// The pose that the arm assumed after it was powered up at these angles.
 #[test]
-fn sensors_tell_angles_in_steps() {
+fn sensors_report_angles_in_steps() {
     assert_eq!(sensed(45.0), 45.0);
     assert_eq!(sensed(30.0), 29.999_927_5);
     assert_eq!(90.0 - sensed(60.0), 29.999_935_2);
@@ -90,7 +90,7 @@ fn sensors_tell_angles_in_steps() {
 
 proptest! {
     #[test]
-    fn no_float_is_too_odd(bits: [u32; 4]) {
+    fn every_float_is_handled(bits: [u32; 4]) {
         let [x_mm, y_mm, z_mm, rotation_deg] = bits.map(f32::from_bits);
         let pose = StockPose { x_mm, y_mm, z_mm, rotation_deg };
         let joints = inverse(pose, TOOLS_MM[0]);

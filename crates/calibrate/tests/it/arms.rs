@@ -211,7 +211,7 @@ impl Arm {
     }
 
     /// Returns the position of the tool above the table, for reported angles and the share of
-    /// its backlash by which each joint stands further.
+    /// its backlash by which each joint is displaced.
     fn place(&self, raw: &Joints, slack: [f64; 3]) -> [f64; 3] {
         let turned = [raw.base, raw.rear, raw.fore];
         let [base, rear, fore] = [0, 1, 2].map(|joint| {
@@ -305,14 +305,14 @@ impl Arm {
             .told_joints(wanted, TOOL)
             .expect("the sheet is in reach");
         raw.base = raw.base - Degrees(case.turned_deg);
-        // If a joint may come from either side, it stands in the middle of its backlash on average.
+        // If a joint may come from either side, it is in the middle of its backlash on average.
         let slack = if case.is_any_side { 0.5 } else { 0.0 };
         let [x, y, z] = self.place(&raw, [slack; 3]);
         [(x - x_mm).hypot(y - y_mm), (z - self.paper.z0_mm).abs()]
     }
 }
 
-/// Returns the share of its backlash by which each joint stands further: all of it if it came from
+/// Returns the share of its backlash by which each joint is displaced: all of it if it came from
 /// the other side.
 fn sides(case: &Case, random: &mut Random) -> [f64; 3] {
     let is_other_side = [0; 3].map(|_| case.is_any_side && random.chance(50.0));

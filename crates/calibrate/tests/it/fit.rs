@@ -46,7 +46,7 @@ fn an_old_arm_finds_every_place_of_its_paper_again() {
 }
 
 #[test]
-fn one_wrong_touch_of_nine_is_named_and_left_out() {
+fn one_wrong_touch_of_nine_is_named_and_excluded() {
     for wrong in 0..9 {
         let mut touches = nine();
         touches[wrong] = touch(SHEET_POINTS[wrong], [4.0, -3.0]);
@@ -63,7 +63,7 @@ fn one_wrong_touch_of_nine_is_named_and_left_out() {
 }
 
 #[test]
-fn two_wrong_touches_of_twelve_are_named_and_left_out() {
+fn two_wrong_touches_of_twelve_are_named_and_excluded() {
     let twelve = [nine(), nine()[..3].to_vec()].concat();
     for [one, other] in [[0, 1], [2, 11], [4, 7], [9, 10]] {
         let mut touches = twelve.clone();
@@ -77,7 +77,7 @@ fn two_wrong_touches_of_twelve_are_named_and_left_out() {
 }
 
 #[test]
-fn a_base_turned_by_hand_before_the_last_touch_is_not_taken_for_a_wrong_touch() {
+fn a_base_turned_by_hand_before_the_last_touch_is_not_mistaken_for_a_wrong_touch() {
     let mut touches = nine();
     touches[8].raw.base = touches[8].raw.base - Degrees(2.0);
     let found = fit(&touches, Tool::SuctionCup).unwrap();
@@ -132,7 +132,7 @@ fn points_touched_in_another_order_contradict_each_other() {
 }
 
 #[test]
-fn four_corners_say_which_point_would_add_most() {
+fn four_corners_suggest_the_most_useful_further_point() {
     let found = fit(&nine()[1..5], Tool::SuctionCup).unwrap();
     assert_eq!(found.trust, Trust::Unchecked);
     assert!(!found.unsure.is_empty());

@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn where_the_sticks_were_at_first_moves_nothing() {
+    fn initial_stick_positions_move_nothing() {
         let first = 0x80;
         assert_eq!(Gamepad::new().handle(event(AXIS | first, 1, -32767)), None);
         assert_eq!(Gamepad::new().handle(event(BUTTON | first, 3, 1)), None);

@@ -187,7 +187,7 @@ mod tests {
         HoldToRun::new(keys, DEAD_MAN)
     }
 
-    /// All that is said until a time, with when.
+    /// All actions until a time, with their times.
     fn said(it: &mut HoldToRun<char, u8>, from: u64, until: u64) -> Vec<(u64, Beat<u8>)> {
         (from..=until)
             .flat_map(|now| {
@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_that_is_not_repeated_is_let_go_after_the_dead_man_time() {
+    fn a_key_that_is_not_repeated_is_released_after_the_dead_man_timeout() {
         let mut it = hold(KeyReports::Presses);
         it.handle_press(ms(0), 'x', 1);
         let expected = [
@@ -211,7 +211,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_that_repeats_is_held_until_it_repeats_no_more() {
+    fn a_repeating_key_is_held_until_it_stops_repeating() {
         let mut it = hold(KeyReports::Presses);
         let mut all = Vec::new();
         for at in (0..2000).step_by(100) {
@@ -228,7 +228,7 @@ mod tests {
     }
 
     #[test]
-    fn where_the_terminal_tells_the_release_the_arm_stops_with_it() {
+    fn if_the_terminal_reports_releases_the_arm_stops_with_the_key() {
         let mut it = hold(KeyReports::Releases);
         it.handle_press(ms(0), 'x', 1);
         let before = said(&mut it, 0, 600);
@@ -256,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn another_key_takes_the_place_of_the_one_that_is_held() {
+    fn another_key_replaces_the_held_one() {
         let mut it = hold(KeyReports::Releases);
         it.handle_press(ms(0), 'x', 1);
         assert_eq!(it.poll(ms(0)), Some(Beat::Hold(1)));
@@ -268,7 +268,7 @@ mod tests {
     }
 
     #[test]
-    fn a_button_that_was_refused_is_said_no_more_until_it_is_pressed_anew() {
+    fn a_refused_button_is_not_sent_again_until_the_next_press() {
         let mut it = hold(KeyReports::Presses);
         it.handle_press(ms(0), 'x', 1);
         assert_eq!(it.poll(ms(0)), Some(Beat::Hold(1)));
@@ -281,7 +281,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn nothing_is_held_longer_than_its_patience_whatever_comes(
+        fn nothing_is_held_longer_than_its_timeout_for_any_events(
             events in prop::collection::vec((0_u64..400, 0_u8..4, 0_u8..3), 0..60),
             reports_releases in any::<bool>(),
         ) {

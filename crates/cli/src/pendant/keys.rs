@@ -101,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn space_escape_and_s_stop_whatever_else_is_so() {
+    fn space_escape_and_s_always_stop() {
         for code in [KeyCode::Char(' '), KeyCode::Char('s'), KeyCode::Esc] {
             for frame in [JogFrame::Joint, JogFrame::Linear] {
                 for hindered in [false, true] {
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn arrows_go_the_way_that_they_show_seen_from_behind_the_arm() {
+    fn arrows_move_in_their_direction_as_seen_from_behind_the_arm() {
         for (code, axis) in [
             (KeyCode::Up, LinearJogAxis::XPlus),
             (KeyCode::Left, LinearJogAxis::YPlus),
@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn r_turns_the_tool_and_asks_only_where_the_arm_may_not_move() {
+    fn r_turns_the_tool_and_asks_only_when_the_arm_may_not_move() {
         let r = |hindered| meaning(&key(KeyCode::Char('R')), JogFrame::Linear, hindered);
         let turn = KeyMeaning::Hold(Button::Linear(LinearJogAxis::ServoPlus));
         assert_eq!((r(false), r(true)), (turn, KeyMeaning::Ask));

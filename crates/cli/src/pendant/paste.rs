@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn keys_of_a_person_are_passed_in_order() {
+    fn keys_typed_by_a_person_are_passed_in_order() {
         let keys = [(0, 'w'), (40, 'w'), (90, 'q')];
         assert_eq!(passed(&keys), (['w', 'w', 'q'].map(press).into(), false));
     }
@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn a_repeated_key_is_passed_however_fast_it_repeats() {
+    fn a_repeated_key_is_passed_at_any_rate() {
         let keys = [(0, 'o'), (1, 'o'), (2, 'o')];
         assert_eq!(passed(&keys), (vec![press('o'); 3], false));
     }

@@ -239,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mouse_shows_no_keys_that_it_has_not() {
+    fn a_mouse_shows_no_keys_that_it_lacks() {
         let mouse = Drive::Mouse(Mouse::new());
         let screen = screen(&pendant(KeyReports::Releases, mouse), 80, 24);
         assert!(

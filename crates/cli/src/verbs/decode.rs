@@ -146,7 +146,7 @@ mod tests {
 
     proptest::proptest! {
         #[test]
-        fn nothing_that_is_given_makes_it_panic(
+        fn no_input_makes_it_panic(
             bytes: Vec<u8>,
             which in 0..SAMPLES.len(),
             hits in proptest::collection::vec((0..2000_usize, proptest::prelude::any::<u8>()), 0..6),

@@ -220,7 +220,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn who_has_control_is_told_with_those_who_ask() {
+    fn the_lease_holder_is_shown_with_the_waiting_requesters() {
         let text = r#"{"client": 5, "name": "the page", "since_s": 10.0,
             "asked_by": [{"client": 9, "name": "dobot jog"}]}"#;
         let lease: LeaseView = serde_json::from_str(text).expect("it is a lease");

@@ -143,7 +143,7 @@ fn read(file: &Path) -> anyhow::Result<Vec<u8>> {
 fn parse(bytes: &[u8], name: &str) -> anyhow::Result<Script> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
         let (before, rest) = bytes.split_at(error.valid_up_to());
-        let line = before.split(|&it| it == b'\n').count();
+        let line = before.split(|&byte| byte == b'\n').count();
         anyhow!(
             "{name}:{line}: byte {:02X} is not text; expected UTF-8",
             rest[0]

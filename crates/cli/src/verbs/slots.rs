@@ -134,7 +134,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn students_have_the_arm_one_after_the_other() {
+    fn students_have_the_arm_one_after_another() {
         let students = ["Anna", "Ben"].map(str::to_owned);
         let start = Some(Duration::from_mins(5));
         let slots = in_turn(&students, Duration::from_mins(15), start, Some("red"));

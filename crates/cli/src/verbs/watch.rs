@@ -239,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn space_and_s_stop_whatever_is_asked() {
+    fn space_and_s_stop_during_any_question() {
         for asks in [false, true] {
             for code in [' ', 's', 'S'] {
                 assert_eq!(action_of(&key(KeyCode::Char(code)), asks), KeyAction::Stop);

@@ -13,7 +13,7 @@ use crate::support::running_process::RunningProcess;
 use crate::support::up::Up;
 use crate::support::wire::Passed;
 
-/// A station whose arm is at the end of a wire that tells what passes it.
+/// A station whose arm is at the end of a wire that records its packets.
 pub(crate) struct Desk {
     pub(crate) up: Up,
     arm: WiredArm,
@@ -66,14 +66,14 @@ impl Agent {
         self.0.call_tool(params).await.expect("it answers")
     }
 
-    /// What a tool answers that does what it is asked for.
+    /// The answer of a tool that succeeds.
     #[track_caller]
     pub(crate) fn done(result: CallToolResult) -> Value {
         assert_eq!(result.is_error, Some(false), "{result:?}");
         result.structured_content.expect("it is structured")
     }
 
-    /// What a tool answers that refuses.
+    /// The answer of a tool that refuses.
     #[track_caller]
     pub(crate) fn refused(result: CallToolResult, kind: &str) -> Value {
         assert_eq!(result.is_error, Some(true), "{result:?}");
@@ -121,7 +121,7 @@ pub(crate) fn is_motion(it: &Command) -> bool {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn an_agent_looks_checks_a_move_and_moves_and_what_is_refused_reaches_no_arm() {
+async fn an_agent_looks_checks_a_move_and_moves_and_a_refused_move_does_not_reach_the_arm() {
     let desk = Desk::new();
     let agent = Agent::new(&desk.up, &[]).await;
     let seen = Agent::done(agent.call("look", json!({})).await);
@@ -146,7 +146,7 @@ async fn an_agent_looks_checks_a_move_and_moves_and_what_is_refused_reaches_no_a
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn arguments_that_make_no_sense_are_told_and_move_nothing() {
+async fn invalid_arguments_are_reported_and_move_nothing() {
     let desk = Desk::new();
     let agent = Agent::new(&desk.up, &[]).await;
     for (tool, arguments, kind, says) in [
@@ -231,7 +231,7 @@ async fn arguments_that_make_no_sense_are_told_and_move_nothing() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_drawing_is_seen_before_it_is_drawn_and_another_call_stops_it() {
+async fn a_drawing_is_previewed_before_it_is_drawn_and_another_call_stops_it() {
     let desk = Desk::new();
     let agent = Agent::new(&desk.up, &[]).await;
     let planned = agent.call("plan_drawing", square()).await;
@@ -284,7 +284,7 @@ fn wait_for_state(up: &Up, is_it: impl Fn(&Value) -> bool) {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn an_agent_that_ends_amid_a_drawing_stops_the_arm() {
+async fn an_agent_that_ends_during_a_drawing_stops_the_arm() {
     let desk = Desk::new();
     let agent = Agent::new(&desk.up, &[]).await;
     let _drawing = agent.begins_to_draw(&desk).await;
@@ -293,14 +293,14 @@ async fn an_agent_that_ends_amid_a_drawing_stops_the_arm() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn where_a_person_is_to_be_asked_drawings_are_queued_and_nothing_moves() {
+async fn if_a_person_must_be_asked_drawings_are_queued_and_nothing_moves() {
     let desk = Desk::new();
     let agent = Agent::of(desk.up.command(&["mcp"])).await;
     only_queues(&desk, &agent).await;
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_token_that_may_queue_moves_nothing_and_one_that_watches_queues_nothing() {
+async fn a_queue_token_moves_nothing_and_a_watch_token_queues_nothing() {
     let desk = Desk::new();
     let with_token = |role: &str| {
         let token = desk
@@ -342,7 +342,7 @@ pub(crate) async fn only_queues(desk: &Desk, agent: &Agent) {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn an_agent_goes_on_only_with_what_it_has_paused_itself() {
+async fn an_agent_resumes_only_jobs_that_it_paused_itself() {
     let desk = Desk::new();
     let agent = Agent::new(&desk.up, &[]).await;
     let resume = |job: u64| json!({"job": job, "action": "resume", "wait_s": 0});
@@ -387,13 +387,13 @@ async fn an_agent_goes_on_only_with_what_it_has_paused_itself() {
         .fails(1, &["change the pen"]);
     desk.got();
     refused(2, "another client queued it").await;
-    // And one of its own that waits for a person.
+    // And its own one that waits for a person.
     let run = json!({"program": {"text": text}, "wait_s": 600});
     let waits = Agent::done(agent.call("run_program", run).await);
     assert_eq!(waits["job"]["waits_for_person"], true, "{waits}");
     desk.got();
     refused(3, "it waits for a person").await;
-    // A script cannot, either; an administrator who says so can.
+    // A script cannot, either; an administrator can on request.
     let start = ["jobs", "start", "3"];
     desk.up
         .dobot(&start)
@@ -422,7 +422,7 @@ async fn a_program_is_checked_and_run_to_its_end() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn no_agent_burns_and_none_reads_outside_of_its_folder() {
+async fn agents_do_not_burn_and_read_no_file_outside_their_folder() {
     let up = Up::new(&[]);
     wait_for_state(&up, |it| it["arm"].is_object());
     let folder = tempfile::tempdir().expect("there is room");
@@ -459,7 +459,7 @@ async fn no_agent_burns_and_none_reads_outside_of_its_folder() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn an_agent_that_is_killed_amid_a_move_leaves_the_arm_to_others() {
+async fn an_agent_killed_during_a_move_leaves_the_arm_to_others() {
     let up = Up::new(&[]);
     wait_for_state(&up, |it| it["arm"].is_object());
     let mut killed = RunningProcess::with_input(up.command(&["mcp"]));
@@ -477,7 +477,7 @@ async fn an_agent_that_is_killed_amid_a_move_leaves_the_arm_to_others() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn without_a_station_every_tool_says_how_to_start_one() {
+async fn without_a_station_every_tool_explains_how_to_start_one() {
     let child = TokioChildProcess::new(tokio::process::Command::from(command(&["mcp"])));
     let agent = Agent(
         ().serve(child.expect("it starts"))

@@ -52,7 +52,7 @@ fn help_shows_examples_for_every_verb() {
 }
 
 #[test]
-fn what_is_no_command_line_ends_with_two() {
+fn an_invalid_command_line_exits_with_two() {
     for arguments in [
         &["dance"][..],
         &["move", "1", "2"],
@@ -95,7 +95,7 @@ fn what_is_no_command_line_ends_with_two() {
 }
 
 #[test]
-fn what_is_no_fault_speed_or_pose_is_told_with_what_is_allowed() {
+fn an_invalid_fault_speed_or_pose_is_reported_with_the_allowed_values() {
     for (arguments, parts) in [
         (
             &["--fault", "dorp=1%"][..],
@@ -123,7 +123,7 @@ fn more_arms_than_ports_are_refused() {
 }
 
 #[test]
-fn a_virtual_arm_stands_in_its_power_up_pose() {
+fn a_virtual_arm_starts_in_its_power_up_pose() {
     let outcome = dobot(&["status", "--json"]).succeeds();
     assert!(outcome.stderr.contains("a virtual arm in this process"));
     let status = json(&outcome.stdout);
@@ -186,7 +186,7 @@ fn a_target_out_of_reach_is_refused_with_how_far_and_which_limit() {
 }
 
 #[test]
-fn targets_that_look_like_metres_or_radians_are_warned_of_with_the_right_numbers() {
+fn targets_that_look_like_metres_or_radians_get_a_warning_with_the_right_numbers() {
     dobot(&["move", "0.22", "0", "0.05"])
         .fails(1, &["looks like metres", "220 0 50", "out of reach"]);
     let output = dobot(&["move", "--joints", "0", "0.7", "0.7", "--path", "movj"]).succeeds();
@@ -212,7 +212,7 @@ fn a_jog_moves_its_axis_and_comes_to_rest() {
 }
 
 #[test]
-fn a_jog_that_did_not_move_the_arm_says_so() {
+fn a_jog_that_did_not_move_the_arm_is_reported() {
     let up = Up::at_speed("10", &[]);
     let jog = ["jog", "gripper+", "--for", "1", "--percent", "100"];
     let moved = up.dobot(&jog).succeeds();
@@ -251,7 +251,7 @@ fn ports_are_listed_as_text_and_as_json() {
 }
 
 #[test]
-fn without_a_station_its_verbs_say_how_to_start_one() {
+fn without_a_station_its_verbs_explain_how_to_start_one() {
     for arguments in [&["stop"][..], &["jobs"], &["jobs", "pause"], &["lease"]] {
         dobot(arguments).fails(1, &["no station runs", "dobot up"]);
     }
@@ -259,7 +259,7 @@ fn without_a_station_its_verbs_say_how_to_start_one() {
 }
 
 #[test]
-fn a_station_that_is_named_and_not_there_is_told() {
+fn a_named_station_that_is_missing_is_reported() {
     let listener = std::net::TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let address = listener.local_addr().expect("it has one");
     drop(listener);
@@ -310,7 +310,7 @@ fn a_dashboard_without_a_terminal_is_refused() {
 }
 
 #[test]
-fn errors_are_json_objects_where_json_is_wanted() {
+fn errors_are_json_objects_if_json_is_requested() {
     for (arguments, code, error, hint) in [
         (
             &["stop", "--station", "localhost"][..],

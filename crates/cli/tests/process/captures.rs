@@ -5,7 +5,7 @@ use crate::support::program::{dobot, dobot_reading};
 
 /// Captured by tcpdump while two programs talked: the status in two pieces, 20 ms apart.
 #[test]
-fn both_ways_of_a_captured_connection_are_told_with_their_times() {
+fn both_directions_of_a_captured_connection_are_shown_with_their_times() {
     for name in ["ethernet.pcap", "sll.pcap", "sll2-ipv6.pcap"] {
         let outcome = dobot(&["decode", &sample(name), "--json"]).succeeds();
         let lines = json_lines(&outcome.stdout);
@@ -29,9 +29,9 @@ fn both_ways_of_a_captured_connection_are_told_with_their_times() {
 }
 
 /// A connection made by hand: one command comes in the wrong order and partly twice, the sequence
-/// numbers begin anew, and 10 bytes of the statuses are lost.
+/// numbers start again, and 10 bytes of the statuses are lost.
 #[test]
-fn a_captured_connection_is_put_in_order_and_its_gaps_are_told() {
+fn a_captured_connection_is_put_in_order_and_its_gaps_are_reported() {
     for name in ["awkward.pcapng", "raw.pcap", "null-big-endian.pcap"] {
         let outcome = dobot(&["decode", &sample(name)]).succeeds();
         let client = "10.0.0.2:40000 > 10.0.0.9:5555";
@@ -59,7 +59,7 @@ fn a_captured_connection_is_put_in_order_and_its_gaps_are_told() {
 }
 
 #[test]
-fn a_capture_that_is_cut_short_is_read_as_far_as_it_goes() {
+fn a_truncated_capture_is_read_to_its_end() {
     let bytes = std::fs::read(sample("raw.pcap")).expect("the sample is there");
     let outcome = dobot_reading(&["decode", "-"], &bytes[..bytes.len() - 70]).succeeds();
     assert!(outcome.stdout.contains("move_to"), "{outcome:?}");

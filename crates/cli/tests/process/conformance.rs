@@ -5,7 +5,7 @@ use std::net::TcpListener;
 
 use crate::support::program::{Outcome, command, dobot};
 
-/// Runs `dobot conformance` in a folder of its own.
+/// Runs `dobot conformance` in its own folder.
 fn conformance(arguments: &[&str]) -> (Outcome, tempfile::TempDir) {
     let folder = tempfile::tempdir().expect("there is room");
     let output = command(&[&["conformance"], arguments].concat())
@@ -16,7 +16,7 @@ fn conformance(arguments: &[&str]) -> (Outcome, tempfile::TempDir) {
 }
 
 #[test]
-fn both_personalities_conform_and_the_report_tells_them_apart() {
+fn both_personalities_conform_and_the_report_distinguishes_them() {
     for personality in ["specification", "firmware-1.1"] {
         let arguments = [
             "virtual:",
@@ -64,7 +64,7 @@ fn a_report_is_overwritten_and_nothing_else_is() {
 }
 
 #[test]
-fn an_arm_at_a_port_is_not_moved_unless_somebody_agrees() {
+fn an_arm_at_a_port_is_not_moved_without_consent() {
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let address = format!("tcp:{}", listener.local_addr().expect("it is bound"));
     let (outcome, folder) = conformance(&[&address]);
@@ -73,7 +73,7 @@ fn an_arm_at_a_port_is_not_moved_unless_somebody_agrees() {
 }
 
 #[test]
-fn an_address_without_an_arm_is_told_with_what_to_do() {
+fn an_address_without_an_arm_is_reported_with_a_remedy() {
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let address = format!("tcp:{}", listener.local_addr().expect("it is bound"));
     drop(listener);

@@ -1,4 +1,4 @@
-//! `dobot log --export` of what takes libraries of its own: Parquet files and data sets of `LeRobot`.
+//! `dobot log --export` to formats that need their own libraries: Parquet files and data sets of `LeRobot`.
 
 use crate::recordings::{export_tables, recording, text};
 use crate::support::program::dobot;

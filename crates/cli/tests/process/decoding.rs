@@ -46,7 +46,7 @@ fn a_command_that_the_dialects_read_differently_is_shown_in_both() {
 }
 
 #[test]
-fn a_binary_capture_with_noise_says_where_everything_is() {
+fn a_binary_capture_with_noise_is_listed_with_all_offsets() {
     let mut capture = vec![0x00, 0xA5, 0x17];
     capture.extend(target(0.0));
     capture.extend(target(7.0));
@@ -70,7 +70,7 @@ fn a_binary_capture_with_noise_says_where_everything_is() {
 }
 
 #[test]
-fn statuses_are_told_from_commands() {
+fn statuses_are_distinguished_from_commands() {
     // Rear arm upright, forearm level: x = 160 + 55.07, z = 135.
     let floats: [f32; 10] = [215.07, 0.0, 135.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0];
     let body = floats.iter().flat_map(|float| float.to_le_bytes());
@@ -81,7 +81,7 @@ fn statuses_are_told_from_commands() {
 }
 
 #[test]
-fn what_holds_no_packet_is_an_error() {
+fn a_file_without_a_packet_is_an_error() {
     dobot(&["decode", "a5 00 5a"]).fails(1, &["no packet in 3 bytes", "42 bytes"]);
     dobot(&["decode", "a5 0"]).fails(1, &["3 hex digits"]);
     dobot(&["decode", "hello"]).fails(1, &["line 1: `hello` is not hex digits", "xxd"]);
@@ -102,7 +102,7 @@ fn sliders() -> String {
 }
 
 #[test]
-fn both_directions_in_one_file_are_told_apart_packet_by_packet() {
+fn both_directions_in_one_file_are_distinguished_packet_by_packet() {
     let status = packet([215.07, 0.0, 135.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
     let bad = packet([263.66, 0.0, 135.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
     let digits = [status.clone(), bad, hex(&target(0.0)), status].join("\n");
@@ -140,7 +140,7 @@ fn a_status_of_an_arm_that_has_lost_its_pose_is_shown() {
 }
 
 #[test]
-fn what_a_stock_arm_takes_against_the_tables_is_said() {
+fn packets_that_a_stock_arm_accepts_against_the_tables_are_marked() {
     let stock = dobot(&["decode", &sliders(), "--dialect", "firmware-1.1"]).succeeds();
     let expected = "not allowed: float 5 (teaching speed) is 0; Table 3.9 allows above 0 to 100 (percent); \
                     an arm as sold executes it";
@@ -164,9 +164,9 @@ pub(crate) fn sample(name: &str) -> String {
 }
 
 /// The samples hold the same command and the same status of a real arm, as the tools print them; three
-/// of them behind 96 zeros.
+/// of them after 96 zeros.
 #[test]
-fn what_the_usual_tools_print_is_read() {
+fn the_output_of_the_usual_tools_is_read() {
     for (name, format, zeros) in [
         ("packets.bin", None, 0),
         ("xxd.txt", Some("xxd"), 0),
@@ -218,13 +218,13 @@ fn the_directions_and_times_of_socat_are_kept() {
     );
     assert_eq!(json[0]["direction"], ">");
     assert_eq!(json[1]["at"], "2026/11/22 11:58:00.000097146");
-    // With -v there is text behind the digits.
+    // With -v there is text after the digits.
     let verbose = dobot(&["decode", &sample("socat-v.txt")]).succeeds();
     assert_eq!(verbose.stdout.lines().count(), 2, "{verbose:?}");
 }
 
 #[test]
-fn a_format_that_nobody_knows_is_told_with_those_that_were_tried() {
+fn an_unknown_format_is_reported_with_those_that_were_tried() {
     let words = b"0000000 00a5 4000 0040\n0000010\n";
     dobot_reading(&["decode", "-"], words)
         .fails(1, &["line 1: `00a5`", "hexdump -C", "od -t x1", "socat -x"]);

@@ -47,7 +47,7 @@ fn ink_width_mm(report: &Value) -> f64 {
 }
 
 #[test]
-fn a_default_does_what_the_same_option_does() {
+fn a_default_has_the_effect_of_its_option() {
     let square = example("square.svg");
     let file = "scale = 2\nat = [200, 10]\nhatch = 4\nhatch-angle = 30\ncross = true\nmirror = false\npen = \"marker\"\n";
     let by_file = Desk::with(file).report(&[&square]);
@@ -99,13 +99,13 @@ fn the_command_line_wins_over_the_file() {
         given["defaults"]["unused"],
         json!([{"option": "pen", "why": why}])
     );
-    // What a person asks for may need what stands in the file.
+    // A requested option may need one from the file.
     let laser = Desk::with("laser = \"felt-cut\"\n");
     laser.draw(&[&square, "--kerf", "0.2"]).succeeds();
 }
 
 #[test]
-fn a_default_that_does_nothing_for_this_drawing_is_left_out_and_told() {
+fn a_default_without_effect_on_this_drawing_is_ignored_and_reported() {
     let (square, photo) = (example("square.svg"), example("still-life.jpg"));
     let desk =
         Desk::with("shade = \"outline\"\nhatch = true\nhatch-angle = 30\nkerf = 0.2\ngap = 9\n");
@@ -144,7 +144,7 @@ fn a_default_that_does_nothing_for_this_drawing_is_left_out_and_told() {
 }
 
 #[test]
-fn the_file_in_the_data_folder_is_read_unless_it_is_left_out() {
+fn the_file_in_the_data_folder_is_read_unless_it_is_disabled() {
     let square = example("square.svg");
     let data = tempfile::tempdir().expect("there is room");
     fs::write(data.path().join("draw.toml"), "scale = 2\nrotate = 45\n").expect("there is room");
@@ -159,7 +159,7 @@ fn the_file_in_the_data_folder_is_read_unless_it_is_left_out() {
 }
 
 #[test]
-fn materials_are_looked_for_beside_the_file_that_names_them() {
+fn materials_are_looked_up_next_to_the_file_that_names_them() {
     let desk = Desk::with("materials = \"inks.toml\"\npen = \"quill\"\n");
     let inks = "[materials.quill]\ntool = \"pen\"\nspeed_mm_s = 20\n";
     fs::write(desk.folder.path().join("inks.toml"), inks).expect("there is room");
@@ -167,7 +167,7 @@ fn materials_are_looked_for_beside_the_file_that_names_them() {
 }
 
 #[test]
-fn a_mistake_in_the_file_is_one_line_with_its_place_and_what_is_allowed() {
+fn a_mistake_in_the_file_is_one_line_with_its_place_and_the_allowed_values() {
     let square = example("square.svg");
     for (text, parts) in [
         (

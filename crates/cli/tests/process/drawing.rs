@@ -54,7 +54,7 @@ fn draws_every_bundled_drawing(tolerance: &str, dialect: &str) {
 }
 
 #[test]
-fn a_drawing_without_a_station_says_that_no_real_arm_draws_it() {
+fn a_drawing_without_a_station_reports_that_no_real_arm_draws_it() {
     let drawn = dobot(&["draw", &example("square.svg"), "--pen-down", "-40"]).succeeds();
     assert!(drawn.stderr.contains("no real arm moves"), "{drawn:?}");
     let meant = [
@@ -85,7 +85,7 @@ fn every_bundled_drawing_is_drawn_within_tolerance_by_a_stock_arm() {
 }
 
 #[test]
-fn a_dry_run_takes_as_long_as_the_run_itself() {
+fn a_dry_run_has_the_duration_of_the_run_itself() {
     for dialect in ["specification", "firmware-1.1"] {
         let harbour = example("harbour.svg");
         let arguments = ["draw", &harbour, "--dialect", dialect, "--json"];
@@ -122,7 +122,7 @@ fn a_photo_and_a_text_become_ink_with_one_line_each() {
 }
 
 #[test]
-fn several_files_and_a_text_go_on_one_sheet() {
+fn several_files_and_a_text_are_placed_on_one_sheet() {
     let folder = tempfile::tempdir().expect("there is a folder");
     let file = |name: &str, text: &str| {
         let file = folder.path().join(name);
@@ -164,7 +164,7 @@ fn several_files_and_a_text_go_on_one_sheet() {
 }
 
 #[test]
-fn layers_are_passes_of_their_own() {
+fn layers_are_separate_passes() {
     let sailing = example("sailing.svg");
     let names = |more: &[&str]| -> Vec<String> {
         let arguments = ["draw", &sailing, "--layers", "color", "--json", "--dry-run"];
@@ -184,7 +184,7 @@ fn layers_are_passes_of_their_own() {
 }
 
 #[test]
-fn a_drawing_may_begin_later() {
+fn a_drawing_may_start_later() {
     let drawn_mm = |more: &[&str]| {
         let square = example("square.svg");
         let arguments = ["draw", &square, "--json"];
@@ -204,7 +204,7 @@ fn a_drawing_may_begin_later() {
 }
 
 #[test]
-fn a_timeline_tells_every_moment_of_the_drawing() {
+fn a_timeline_describes_every_moment_of_the_drawing() {
     let folder = tempfile::tempdir().expect("there is room");
     let file = folder.path().join("timeline.json");
     let file_text = file.to_str().expect("the path is text");
@@ -222,7 +222,7 @@ fn a_timeline_tells_every_moment_of_the_drawing() {
 }
 
 #[test]
-fn a_drawing_that_the_policy_refuses_is_told_with_what_a_person_can_do_about_a_drawing() {
+fn a_drawing_refused_by_the_policy_is_reported_with_remedies_for_drawings() {
     let square = example("square.svg");
     // Within reach, and beyond where the laser may burn.
     let beyond = ["--at", "180", "-198", "--scale", "0.3", "--dry-run"];
@@ -310,7 +310,7 @@ fn the_laser_burns_materials_and_the_pen_does_not() {
 }
 
 #[test]
-fn a_square_is_as_long_as_its_sides() {
+fn the_sides_of_a_square_have_its_length() {
     let svg = page(r#"<rect x="10" y="10" width="30" height="20" fill="none" stroke="black"/>"#);
     let report = report(
         &dobot_reading(&["draw", "-", "--json"], svg.as_bytes())
@@ -325,7 +325,7 @@ fn a_square_is_as_long_as_its_sides() {
 }
 
 #[test]
-fn a_picture_comes_out_as_svg_and_as_png() {
+fn a_picture_is_written_as_svg_and_as_png() {
     let folder = tempfile::tempdir().expect("there is room");
     for (name, begins) in [("drawn.svg", &b"<svg"[..]), ("drawn.png", b"\x89PNG")] {
         let file = folder.path().join(name);
@@ -337,7 +337,7 @@ fn a_picture_comes_out_as_svg_and_as_png() {
 }
 
 #[test]
-fn a_file_that_cannot_be_written_is_told_before_anything_is_drawn() {
+fn a_file_that_cannot_be_written_is_reported_before_anything_is_drawn() {
     let folder = tempfile::tempdir().expect("there is room");
     let picture = folder.path().join("a.svg");
     let picture = picture.to_str().expect("the path is text");
@@ -351,7 +351,7 @@ fn a_file_that_cannot_be_written_is_told_before_anything_is_drawn() {
 }
 
 #[test]
-fn no_output_is_written_over_the_drawing_or_over_another_one() {
+fn no_output_overwrites_the_drawing_or_another_output() {
     let folder = tempfile::tempdir().expect("there is room");
     let named = |name: &str| {
         let file = folder.path().join(name);
@@ -423,7 +423,7 @@ fn an_option_that_does_not_fit_the_source_is_refused() {
         let named = format!("error: {} is for ", option[0]);
         assert!(refused.stderr.starts_with(&named), "{}", refused.stderr);
     }
-    // A material has a spacing and passes of its own.
+    // A material has its own spacing and passes.
     let burn = ["--laser", "plywood-engrave", "--dry-run"];
     dobot(&[&["draw"], photo, &["--spacing", "4"], &burn].concat()).succeeds();
     dobot(&[&["draw"], text, &["--hatch"], &burn].concat()).succeeds();
@@ -446,7 +446,7 @@ fn size_and_place_are_obeyed() {
 }
 
 #[test]
-fn what_is_larger_than_the_area_shrinks_unless_a_scale_insists() {
+fn a_drawing_larger_than_the_area_shrinks_unless_a_scale_is_given() {
     let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="500mm" height="300mm" viewBox="0 0 500 300">
         <rect width="400" height="100" fill="none" stroke="black"/></svg>"#;
     let outcome = dobot_reading(&["draw", "-", "--json"], svg.as_bytes()).succeeds();
@@ -457,7 +457,7 @@ fn what_is_larger_than_the_area_shrinks_unless_a_scale_insists() {
 }
 
 #[test]
-fn what_will_be_drawn_is_written_for_other_programs() {
+fn the_drawing_is_exported_for_other_programs() {
     let folder = tempfile::tempdir().expect("there is room");
     let file = folder.path().join("plan.svg");
     let name = file.to_str().expect("it is text");
@@ -504,7 +504,7 @@ fn what_will_be_drawn_is_written_for_other_programs() {
 }
 
 #[test]
-fn what_takes_days_is_told_before_it_begins_and_not_rehearsed() {
+fn a_drawing_of_days_is_announced_before_it_begins_and_not_rehearsed() {
     // 500 lines, back and forth over 180 mm and 200 times around each: 18 km.
     let lines = (0..500).map(|i| format!("M0 {}H180", f64::from(i) * 0.2));
     let lines: Vec<String> = lines.collect();
@@ -535,7 +535,7 @@ fn what_takes_days_is_told_before_it_begins_and_not_rehearsed() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_terminal_is_told_what_is_done_and_hours_before_they_are_planned() {
+fn a_terminal_shows_the_progress_and_announces_hours_before_they_are_planned() {
     let lines = (0..500).map(|i| format!("M0 {}H90", f64::from(i) * 0.1));
     let lines = page(&format!(
         r#"<path d="{}" stroke="red"/>"#,
@@ -595,7 +595,7 @@ fn a_long_drawing_has_its_dots_in_the_picture_and_its_timeline_without_a_rehears
 }
 
 #[test]
-fn dots_alone_are_no_less_than_nothing_long() {
+fn the_length_of_dots_alone_is_zero() {
     let dots = page(r#"<path d="M50 30h0M60 30h0" stroke="red" stroke-linecap="round"/>"#);
     let outcome = dobot_reading(&["draw", "-", "--dry-run", "--json"], dots.as_bytes());
     let stdout = outcome.succeeds().stdout;
@@ -604,7 +604,7 @@ fn dots_alone_are_no_less_than_nothing_long() {
 }
 
 #[test]
-fn a_file_behind_an_option_that_takes_numbers_is_told_as_that() {
+fn a_file_after_an_option_that_takes_numbers_is_reported_as_such() {
     let square = example("square.svg");
     let laser = ["--laser", "felt-cut"];
     for (arguments, parts) in [
@@ -628,7 +628,7 @@ fn a_file_behind_an_option_that_takes_numbers_is_told_as_that() {
 }
 
 #[test]
-fn what_does_nothing_is_told() {
+fn options_without_effect_are_reported() {
     let square = example("square.svg");
     let hatched = dobot(&["draw", &square, "--hatch", "--dry-run"]).succeeds();
     let expected = "warning: 1 hatching without filled areas: nothing is hatched";
@@ -653,7 +653,7 @@ fn what_does_nothing_is_told() {
 }
 
 #[test]
-fn the_options_stand_in_groups() {
+fn the_options_are_grouped() {
     let help = dobot(&["draw", "--help"]).succeeds().stdout;
     let is_heading = |it: &&str| it.ends_with(':') && !it.starts_with(' ');
     let headings: Vec<&str> = help.lines().filter(is_heading).collect();
@@ -683,7 +683,7 @@ fn the_options_stand_in_groups() {
 }
 
 #[test]
-fn what_is_out_of_reach_is_cut_off_where_that_is_wanted() {
+fn parts_out_of_reach_are_cut_off_on_request() {
     let svg = page(r#"<path d="M0 0H100" stroke="black"/>"#);
     let far = ["draw", "-", "--at", "300", "0", "--rotate", "90"];
     dobot_reading(&far, svg.as_bytes()).fails(1, &["reach", "--clip"]);
@@ -695,7 +695,7 @@ fn what_is_out_of_reach_is_cut_off_where_that_is_wanted() {
 }
 
 #[test]
-fn bad_drawings_are_one_clear_error_each() {
+fn each_bad_drawing_is_one_clear_error() {
     for (svg, parts) in [
         (
             String::new(),
@@ -730,7 +730,7 @@ fn bad_drawings_are_one_clear_error_each() {
 }
 
 #[test]
-fn settings_that_make_no_sense_are_told_before_anything_moves() {
+fn invalid_settings_are_reported_before_anything_moves() {
     let square = example("square.svg");
     for (option, value, part) in [
         ("--tolerance", "0", "tolerance"),
@@ -761,7 +761,7 @@ fn settings_that_make_no_sense_are_told_before_anything_moves() {
 
 #[cfg(unix)]
 #[test]
-fn an_input_that_never_ends_is_not_read_for_ever() {
+fn an_endless_input_is_not_read_for_ever() {
     let most = ["more than 64 MB", "draw it in parts"];
     dobot(&["draw", "/dev/zero"]).fails(1, &[&["/dev/zero"], &most[..]].concat());
     let zeros = fs::File::open("/dev/zero").expect("it is there");

@@ -21,7 +21,7 @@ fn first_of_a_failing_start(bench: &Bench, others: &[&str], parts: &[&str]) {
 }
 
 #[test]
-fn a_station_that_ends_as_it_should_has_said_all_itself() {
+fn the_watchdog_of_a_station_that_ends_normally_reports_nothing() {
     let bench = bench();
     let (station, mut errors) = bench.station_with_errors();
     bench.confirm();
@@ -37,7 +37,7 @@ fn a_station_that_ends_as_it_should_has_said_all_itself() {
 }
 
 #[test]
-fn over_a_virtual_serial_port_a_killed_station_is_spoken_for_too() {
+fn the_watchdog_of_a_killed_station_acts_over_a_virtual_serial_port_too() {
     let folder = tempfile::tempdir().expect("there is room");
     let link = folder.path().join("arm");
     let link = link.to_str().expect("the path is text");

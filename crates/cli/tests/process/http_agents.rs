@@ -88,7 +88,7 @@ async fn agent(up: &Up, way: &Way, manner: Manner, token: Option<&str>) -> Agent
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn an_agent_moves_the_arm_over_http_and_what_is_refused_reaches_no_arm() {
+async fn an_agent_moves_the_arm_over_http_and_a_refused_move_does_not_reach_the_arm() {
     let desk = Desk::new();
     let way = Way::new(&desk.up);
     for (manner, y_mm) in MANNERS.into_iter().zip([-30.0, 30.0]) {
@@ -108,7 +108,7 @@ async fn an_agent_moves_the_arm_over_http_and_what_is_refused_reaches_no_arm() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn an_agent_over_http_that_is_killed_amid_a_drawing_stops_the_arm() {
+async fn an_agent_over_http_that_is_killed_during_a_drawing_stops_the_arm() {
     for manner in MANNERS {
         let desk = Desk::new();
         let way = Way::new(&desk.up);
@@ -133,7 +133,7 @@ async fn a_call_over_http_that_is_cancelled_stops_the_arm() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn over_http_each_agent_may_do_what_its_own_token_may() {
+async fn over_http_each_agent_has_the_rights_of_its_own_token() {
     let desk = Desk::new();
     let way = Way::new(&desk.up);
     let with_token = async |role: &str| {

@@ -10,7 +10,7 @@ use crate::support::running_process::RunningProcess;
 use crate::support::spiral::{LASER_OFF, burns, spiral};
 use crate::support::wire::Passed;
 
-/// An arm, and what it has burnt.
+/// An arm and its burned lines.
 struct Burning {
     bench: Bench,
     burnt: Vec<Command>,
@@ -53,7 +53,7 @@ impl Burning {
         }
     }
 
-    /// A person has looked at the arm, and has the job go on.
+    /// A person has checked the arm and resumes the job.
     fn start(&self) -> RunningProcess {
         self.bench.confirm();
         self.bench
@@ -62,7 +62,7 @@ impl Burning {
 }
 
 #[test]
-fn a_station_that_is_killed_while_it_burns_switches_the_laser_off_first_and_finishes_the_job() {
+fn a_station_killed_while_burning_first_switches_the_laser_off_and_then_finishes_the_job() {
     let mut burning = Burning::new();
     let job = spiral();
     let file = burning.bench.folder().join("job.json");

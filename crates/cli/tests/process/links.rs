@@ -46,7 +46,7 @@ fn a_drawing_succeeds_over_a_virtual_serial_port_and_over_tcp() {
 }
 
 #[test]
-fn without_a_person_a_real_arm_moves_and_burns_nothing_that_nobody_has_allowed() {
+fn without_consent_a_real_arm_neither_moves_nor_burns() {
     let mut arm = fast_arm(&["--tcp", "127.0.0.1:0"]);
     let address = arm.address();
     let to = ["--to", &address, "--dialect", "specification"];
@@ -77,7 +77,7 @@ fn without_a_person_a_real_arm_moves_and_burns_nothing_that_nobody_has_allowed()
     let seen = dobot(&[&["status", "--count", "1", "--json"][..], &to].concat()).succeeds();
     let seen: serde_json::Value = serde_json::from_str(&seen.stdout).expect("it is JSON");
     assert_eq!(seen["rear_deg"], 45.0, "it stands as it was switched on");
-    // A virtual arm in the process harms nobody.
+    // A virtual arm in the process is harmless.
     dobot(&[&burn[..], &["plywood-engrave", "--to", "virtual:"]].concat()).succeeds();
 }
 
@@ -94,7 +94,7 @@ fn over_a_port_the_dialect_is_undecided_until_it_is_given() {
 }
 
 #[test]
-fn a_port_that_does_not_exist_or_is_none_is_told() {
+fn a_missing_or_invalid_port_is_reported() {
     dobot(&["status", "--to", "serial:/dev/no-such-port"])
         .fails(1, &["no serial port /dev/no-such-port", "dobot ports"]);
     dobot(&["status", "--to", "serial:/dev/null"]).fails(1, &["/dev/null is not a serial port"]);
@@ -134,7 +134,7 @@ impl UsedPort {
 }
 
 #[test]
-fn a_station_reports_why_it_cannot_open_its_port_and_what_to_do() {
+fn a_station_reports_why_it_cannot_open_its_port_and_the_remedy() {
     let file = tempfile::NamedTempFile::new().expect("there is room");
     let file = format!("serial:{}", file.path().display());
     let port = UsedPort::new();
@@ -203,7 +203,7 @@ fn the_start_of_a_station_shows_the_cause_and_not_a_lost_link() {
 }
 
 #[test]
-fn a_port_in_use_is_told() {
+fn a_port_in_use_is_reported() {
     let port = UsedPort::new();
     let second = dobot(&["status", "--to", &port.address]);
     second.fails(1, &["in use by another program", "fuser"]);
@@ -226,7 +226,7 @@ fn peer(act: impl Fn(TcpStream) + Send + 'static) -> String {
 }
 
 /// Rear arm upright, forearm level.
-/// An arm that stands with rear arm and forearm at 45 degrees: 135 sin 45 + 160 cos 45 + 55.07.
+/// An arm at rest with rear arm and forearm at 45 degrees: 135 sin 45 + 160 cos 45 + 55.07.
 fn status() -> Vec<u8> {
     let floats: [f32; 10] = [263.6665, 0.0, -17.6777, 0.0, 0.0, 45.0, 45.0, 0.0, 0.0, 0.0];
     let body = floats.iter().flat_map(|float| float.to_le_bytes());
@@ -234,13 +234,13 @@ fn status() -> Vec<u8> {
 }
 
 #[test]
-fn a_peer_that_closes_in_the_middle_is_told() {
+fn a_peer_that_closes_in_the_middle_is_reported() {
     let address = peer(|mut stream| stream.write_all(&status()[..20]).expect("it is open"));
     dobot(&["status", "--to", &address]).fails(1, &["closed the link"]);
 }
 
 #[test]
-fn a_peer_that_sends_noise_is_told() {
+fn a_peer_that_sends_noise_is_reported() {
     let address = peer(|mut stream| {
         for _ in 0..25 {
             stream
@@ -266,7 +266,7 @@ fn draw_square(address: &str) -> Outcome {
 }
 
 #[test]
-fn an_arm_that_falls_silent_before_a_drawing_gets_laser_off_all_the_same() {
+fn an_arm_that_goes_silent_before_a_drawing_still_gets_laser_off() {
     let (sender, received) = mpsc::channel();
     let address = peer(move |mut stream| {
         // One status, never another one; and then everything that comes.
@@ -282,9 +282,9 @@ fn an_arm_that_falls_silent_before_a_drawing_gets_laser_off_all_the_same() {
 }
 
 #[test]
-fn a_peer_that_closes_in_the_middle_of_a_drawing_is_told_with_how_far_it_got() {
+fn a_peer_that_closes_during_a_drawing_is_reported_with_the_progress() {
     let address = peer(|mut stream| {
-        // A permit, the command for it, and no more.
+        // One permit, its command, and nothing else.
         stream.write_all(&status()).expect("it is open");
         stream.read_exact(&mut [0; 42]).expect("it is open");
     });
@@ -292,7 +292,7 @@ fn a_peer_that_closes_in_the_middle_of_a_drawing_is_told_with_how_far_it_got() {
 }
 
 #[test]
-fn an_arm_that_falls_silent_in_a_drawing_gets_laser_off_and_nothing_that_moves_it() {
+fn an_arm_that_goes_silent_during_a_drawing_gets_laser_off_and_no_motion() {
     let (outcome, _, after) = troubled(6, Trouble::Silence);
     outcome.fails(1, &["no valid status for", "dobot jobs start 1 --to tcp:"]);
     // What was permitted already may still have been on its way.
@@ -309,14 +309,14 @@ fn ctrl_c_ends_the_served_arm() {
 }
 
 #[test]
-fn a_tcp_port_that_is_taken_is_told() {
+fn an_occupied_tcp_port_is_reported() {
     let mut arm = fast_arm(&["--tcp", "127.0.0.1:0"]);
     let taken = arm.address()[4..].to_owned();
     dobot(&["arm", "--tcp", &taken]).fails(1, &["cannot serve on", "127.0.0.1:0"]);
 }
 
 #[test]
-fn something_in_the_way_of_the_virtual_serial_port_is_left_alone() {
+fn an_existing_file_at_the_path_of_the_virtual_serial_port_is_not_touched() {
     let folder = tempfile::tempdir().expect("there is room");
     let file = folder.path().join("precious");
     std::fs::write(&file, "data").expect("there is room");

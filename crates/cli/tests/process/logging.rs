@@ -17,7 +17,7 @@ fn up(arguments: &[&str]) -> (Command, TempDir) {
     (command_at(folder.path(), &arguments), folder)
 }
 
-/// Stops the arm, ends the station, and tells what it logged from then on.
+/// Stops the arm, ends the station, and returns its log from then on.
 fn stopped_and_ended(station: RunningProcess, folder: &TempDir, mut errors: impl Read) -> String {
     run(&mut command_at(folder.path(), &["stop"]), b"").succeeds();
     assert_eq!(station.interrupt(), Some(0));
@@ -40,7 +40,9 @@ fn the_log_of_a_service_is_a_json_object_a_line_from_its_start_to_its_end() {
         panic!("{started} is not one line");
     };
     assert_eq!(started["level"], "INFO");
-    let page = started["page"].as_str().expect("it says where the page is");
+    let page = started["page"]
+        .as_str()
+        .expect("the log has the address of the page");
     assert!(page.starts_with("http://127.0.0.1:"), "{started}");
 
     let log = stopped_and_ended(station, &folder, errors);
@@ -55,7 +57,7 @@ fn the_log_of_a_service_is_a_json_object_a_line_from_its_start_to_its_end() {
 }
 
 #[test]
-fn a_station_logs_requests_for_those_who_ask_for_them_and_tells_no_notice_twice() {
+fn a_station_logs_requests_if_asked_to_and_logs_no_notice_twice() {
     let (mut up, folder) = up(&[]);
     up.env("RUST_LOG", "warn,dobot_host=info,dobot_station=debug");
     let (mut station, errors) = RunningProcess::with_errors(up);
@@ -68,7 +70,7 @@ fn a_station_logs_requests_for_those_who_ask_for_them_and_tells_no_notice_twice(
 }
 
 #[test]
-fn a_station_tells_a_person_what_happens_and_logs_nothing_unless_it_is_asked() {
+fn a_station_shows_events_to_a_person_and_logs_nothing_by_default() {
     let (up, folder) = up(&[]);
     let (mut station, errors) = RunningProcess::with_errors(up);
     station.wait_for_line("Ctrl-C");
@@ -80,12 +82,12 @@ fn a_station_tells_a_person_what_happens_and_logs_nothing_unless_it_is_asked() {
 }
 
 #[test]
-fn a_service_that_cannot_start_logs_why_and_what_to_do() {
+fn a_service_that_cannot_start_logs_the_cause_and_the_remedy() {
     let (mut up, _folder) = up(&["--log-format", "json", "--policy", "nowhere.toml"]);
     let outcome = run(&mut up, b"");
     assert_eq!(outcome.code, Some(1), "{outcome:?}");
     let events = events(&outcome.stderr);
-    let last = events.last().expect("it says why");
+    let last = events.last().expect("the log has the reason");
     assert_eq!(last["level"], "ERROR");
     let field_of = |field: &str| last[field].as_str().unwrap_or_default().to_owned();
     assert!(field_of("message").contains("nowhere.toml"), "{last}");
@@ -93,7 +95,7 @@ fn a_service_that_cannot_start_logs_why_and_what_to_do() {
 }
 
 #[test]
-fn a_level_that_there_is_not_is_told_and_keeps_nothing_from_being_done() {
+fn an_unknown_level_is_reported_and_prevents_nothing() {
     let mut policy = command(&["policy"]);
     let outcome = run(policy.env("RUST_LOG", "dobot_host=loud"), b"").succeeds();
     assert!(

@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::support::program::dobot;
 
 #[test]
-fn the_tool_is_as_long_as_in_the_default_policy_unless_told_otherwise() {
+fn the_tool_has_the_length_of_the_default_policy_unless_specified() {
     let length = |more: &[&str]| {
         let outcome = dobot(&[&["model", "--format", "json"][..], more].concat()).succeeds();
         let model: Value = serde_json::from_str(&outcome.stdout).expect("it is JSON");
@@ -29,7 +29,7 @@ fn the_tool_is_as_long_as_in_the_default_policy_unless_told_otherwise() {
 }
 
 #[test]
-fn a_folder_gets_a_file_and_a_file_that_is_there_is_kept() {
+fn a_folder_gets_a_new_file_and_an_existing_file_is_kept() {
     let folder = tempfile::tempdir().expect("there is room");
     let out = folder.path().to_str().expect("the path is text");
     for (format, name) in [
@@ -51,7 +51,7 @@ fn a_folder_gets_a_file_and_a_file_that_is_there_is_kept() {
 }
 
 #[test]
-fn a_length_that_makes_no_sense_is_refused() {
+fn an_invalid_length_is_refused() {
     for length in ["0", "19.99", "201", "nan", "inf"] {
         let outcome = dobot(&["model", "--length", length]).fails(2, &["20 to 200 mm"]);
         assert_eq!(outcome.stdout, "");

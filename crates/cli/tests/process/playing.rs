@@ -59,7 +59,7 @@ fn number(value: &Value) -> f64 {
 }
 
 #[test]
-fn a_program_takes_as_long_as_was_predicted() {
+fn a_program_has_the_predicted_duration() {
     let file = InFile::new(CARRY);
     for dialect in ["specification", "firmware-1.1"] {
         let play = [
@@ -90,7 +90,7 @@ fn a_program_takes_as_long_as_was_predicted() {
 const STATION_S: f64 = 3.0;
 
 #[test]
-fn a_dry_run_is_for_the_arm_of_the_station_as_it_stands() {
+fn a_dry_run_uses_the_current_settings_of_the_arm_of_the_station() {
     let file = InFile::new(CARRY);
     for personality in ["specification", "firmware-1.1"] {
         let up = Up::new(&["--personality", personality]);
@@ -116,7 +116,7 @@ fn a_dry_run_is_for_the_arm_of_the_station_as_it_stands() {
 }
 
 #[test]
-fn a_program_that_the_policy_of_the_station_forbids_is_refused_with_step_and_line() {
+fn a_program_forbidden_by_the_policy_of_the_station_is_refused_with_step_and_line() {
     let file = InFile::new(CARRY);
     let up = Up::new(&[]);
     let policy = json!({"text": "[workspace]\ny_mm = [-20, 100]\n"});
@@ -128,7 +128,7 @@ fn a_program_that_the_policy_of_the_station_forbids_is_refused_with_step_and_lin
 }
 
 #[test]
-fn without_a_station_a_check_says_which_arm_it_assumes() {
+fn without_a_station_a_check_names_the_assumed_arm() {
     let file = InFile::new("[[steps]]\ngo = { x = 200, y = 60, z = 0 }\n");
     let output = dobot(&["check", &file.path()]).succeeds().stdout;
     assert!(output.contains("assumed a specification arm"), "{output}");
@@ -137,7 +137,7 @@ fn without_a_station_a_check_says_which_arm_it_assumes() {
 }
 
 #[test]
-fn every_example_takes_as_long_as_was_predicted() {
+fn every_example_has_the_predicted_duration() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples/programs");
     let files = std::fs::read_dir(folder).expect("the examples are there");
     let files = files.map(|it| it.expect("it can be read").path());
@@ -145,13 +145,13 @@ fn every_example_takes_as_long_as_was_predicted() {
     for file in files.filter(|it| it.extension().is_some_and(|it| it == "toml")) {
         for dialect in ["specification", "firmware-1.1"] {
             let file = file.to_str().expect("the path is text");
-            // A drawing on each sheet would go on until a person ends it.
+            // A drawing on each sheet would continue until a person ends it.
             let endless = ["--times", "3"].repeat(usize::from(file.ends_with("drawing.toml")));
             let play = ["play", file, "--to", "virtual:", "--dialect", dialect];
             let play = [&play[..], &endless].concat();
             let predicted = number(&json(&[&play[..], &["--dry-run"]].concat())["total_s"]);
             let took_s = number(&json(&play)["took_s"]);
-            // It depends on when a person comes, how long it takes until a status permits to go on.
+            // The time until a status permits the next command depends on the person.
             let waits_s = if endless.is_empty() {
                 0.0
             } else {
@@ -168,7 +168,7 @@ fn every_example_takes_as_long_as_was_predicted() {
 }
 
 #[test]
-fn every_problem_of_a_program_is_told_with_its_line_before_anything_moves() {
+fn every_problem_of_a_program_is_reported_with_its_line_before_anything_moves() {
     let file = InFile::new(
         "[points]\nfar = { x = 500, y = 0, z = 0 }\nlow = { x = 200, y = 0, z = -200 }\n\
          [[steps]]\ngo = \"far\"\n[[steps]]\ngo = \"low\"\n",
@@ -210,7 +210,7 @@ fn an_old_file_of_the_vendors_program_plays_on_the_twin() {
 }
 
 #[test]
-fn a_program_is_played_from_one_of_its_steps_on() {
+fn a_program_is_played_starting_at_one_of_its_steps() {
     let file = InFile::new(CARRY);
     let play = ["play", &file.path(), "--to", "virtual:", "--dry-run"];
     let whole = json(&play);
@@ -245,7 +245,7 @@ fn an_old_file_becomes_a_program_and_an_old_file_again_with_all_its_numbers() {
 }
 
 #[test]
-fn a_file_that_is_there_is_written_over_only_when_that_is_asked_for() {
+fn an_existing_file_is_overwritten_only_on_request() {
     let file = InFile::new(CARRY);
     let other = InFile::new("what was there");
     let convert = ["convert", &file.path(), &other.path()];
@@ -257,7 +257,7 @@ fn a_file_that_is_there_is_written_over_only_when_that_is_asked_for() {
 }
 
 #[test]
-fn what_another_form_cannot_carry_is_told() {
+fn content_that_another_form_cannot_carry_is_reported() {
     let file = InFile::new(
         "[[steps]]\ngo = { base = 0, rear = 40, fore = 40 }\nsuction = true\n[[steps]]\nwait = \"put a cube down\"\n",
     );
@@ -302,7 +302,7 @@ fn speeds_of_jogs_do_not_become_those_of_moves() {
 }
 
 #[test]
-fn a_program_without_a_fault_is_told_with_its_times() {
+fn a_correct_program_is_reported_with_its_times() {
     let file = InFile::new(CARRY);
     let report = &json(&["check", &file.path()])["report"];
     assert_eq!(report["problems"], Value::Array(Vec::new()), "{report}");

@@ -6,7 +6,7 @@ use tempfile::TempDir;
 
 use crate::support::program::{Outcome, dobot};
 
-/// A policy file that says this, and its folder.
+/// A policy file with this text, and its folder.
 fn file(text: &str) -> (TempDir, String) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("policy.toml");
@@ -26,7 +26,7 @@ fn the_default_is_printed_with_its_comments_and_is_a_good_file() {
 }
 
 #[test]
-fn what_is_wrong_with_a_file_is_told_with_its_line() {
+fn an_error_in_a_file_is_reported_with_its_line() {
     let (_folder, name) = file("[jog]\ndead_man_s = 150\n");
     dobot(&["policy", "check", &name]).fails(
         1,
@@ -42,7 +42,7 @@ fn what_is_wrong_with_a_file_is_told_with_its_line() {
 }
 
 #[test]
-fn what_is_in_force_includes_the_defaults() {
+fn the_policy_in_force_includes_the_defaults() {
     let (_folder, name) = file("[joints]\nbase_deg = [-90, 90]\n");
     let outcome = dobot(&["policy", "show", &name]).succeeds();
     for part in [
@@ -69,7 +69,7 @@ fn asked(path: &str, policy: &str) -> Outcome {
 }
 
 #[test]
-fn a_move_can_be_asked_about_before_it_is_made() {
+fn a_move_can_be_checked_before_it_is_made() {
     let wall =
         "[keep_out.cup]\ncylinder = { x_mm = 200, y_mm = 0, radius_mm = 30, z_mm = [-103, -25] }\n";
     let outcome = asked("movl", "").succeeds();
@@ -103,7 +103,7 @@ fn a_move_can_be_asked_about_before_it_is_made() {
 }
 
 #[test]
-fn a_question_without_a_place_is_a_matter_of_usage() {
+fn a_check_without_a_place_is_a_usage_error() {
     dobot(&["policy", "test", "200", "0", "0"]).fails(2, &["--start-point"]);
     dobot(&[
         "policy",

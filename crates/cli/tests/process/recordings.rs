@@ -78,7 +78,7 @@ fn the_recordings_of_a_folder_are_listed_and_found_by_their_names() {
 }
 
 #[test]
-fn packets_are_told_with_their_times_and_events_too() {
+fn packets_and_events_are_listed_with_their_times() {
     let (_folder, file) = recording();
     let outcome = dobot(&["log", text(&file)]).succeeds();
     let lines: Vec<&str> = outcome.stdout.lines().collect();
@@ -129,10 +129,10 @@ fn a_part_of_a_recording_is_chosen_by_time_and_topic() {
 }
 
 #[test]
-fn a_file_that_breaks_off_is_told_up_to_there() {
+fn a_truncated_file_is_listed_up_to_its_end() {
     let (_folder, file) = recording();
     let bytes = std::fs::read(&file).expect("it is there");
-    // Into the index behind everything that happened.
+    // Into the index after all events.
     std::fs::write(&file, &bytes[..bytes.len() - 20]).expect("there is room");
     let outcome = dobot(&["log", text(&file)]).succeeds();
     assert!(outcome.stdout.contains("stopped"), "{outcome:?}");
@@ -143,7 +143,7 @@ fn a_file_that_breaks_off_is_told_up_to_there() {
 }
 
 #[test]
-fn a_recording_that_is_being_written_is_told_as_such() {
+fn a_recording_in_progress_is_reported_as_such() {
     let folder = tempfile::tempdir().expect("there is room");
     let start = "2026-11-21T12:30:00Z".parse().expect("it is a time");
     let recorder = Recorder::start(folder.path(), Limits::DEFAULT, About::default(), start);
@@ -178,7 +178,7 @@ fn a_recording_that_is_being_written_is_told_as_such() {
 }
 
 #[test]
-fn what_is_no_recording_is_told() {
+fn a_file_that_is_not_a_recording_is_reported() {
     let folder = tempfile::tempdir().expect("there is room");
     let file = folder.path().join("capture.bin");
     std::fs::write(&file, target(200.0)).expect("there is room");
@@ -206,7 +206,7 @@ fn replayed(file: &Path, bytes: &[u8]) -> (Outcome, Vec<u8>) {
     .expect("the program starts");
     let mut output = BufReader::new(child.stdout.take().expect("it is piped"));
     let mut line = String::new();
-    output.read_line(&mut line).expect("it says where it is");
+    output.read_line(&mut line).expect("it prints its address");
     let address = line
         .split_whitespace()
         .next()
@@ -226,7 +226,7 @@ fn replayed(file: &Path, bytes: &[u8]) -> (Outcome, Vec<u8>) {
 }
 
 #[test]
-fn a_client_that_does_what_was_recorded_succeeds_and_gets_all_statuses() {
+fn a_client_that_acts_as_recorded_succeeds_and_gets_all_statuses() {
     let (_folder, file) = recording();
     let same = [target(200.0), target(210.0), target(220.0)].concat();
     let (outcome, received) = replayed(&file, &same);
@@ -239,7 +239,7 @@ fn a_client_that_does_what_was_recorded_succeeds_and_gets_all_statuses() {
 }
 
 #[test]
-fn a_client_that_does_something_else_fails_with_both_sides() {
+fn a_client_that_acts_differently_fails_with_both_sides() {
     let (_folder, file) = recording();
     let other = [target(200.0), target(211.0)].concat();
     let (outcome, _) = replayed(&file, &other);
@@ -266,7 +266,7 @@ pub(crate) fn export_tables(form: &str) {
     assert!(outcome.stdout.contains("3 statuses"), "{outcome:?}");
     assert!(outcome.stdout.contains("3 commands"), "{outcome:?}");
     assert!(out(&format!("run.commands.{form}")).exists());
-    // What is there is kept, unless it is said otherwise.
+    // Existing files are kept by default.
     std::fs::write(&statuses, "mine").expect("there is room");
     dobot(&export).fails(1, &["exists", "hint: overwrite it with `--force`"]);
     assert_eq!(std::fs::read(&statuses).expect("it is there"), b"mine");
@@ -284,7 +284,7 @@ fn a_recording_is_exported_as_tables() {
 }
 
 #[test]
-fn what_cannot_be_exported_is_told_and_nothing_is_written() {
+fn a_failed_export_is_reported_and_writes_nothing() {
     let (folder, file) = recording();
     let out = folder.path().join("run.csv");
     let export = |file: &Path, more: &[&str]| {
@@ -323,7 +323,7 @@ fn what_cannot_be_exported_is_told_and_nothing_is_written() {
 }
 
 #[test]
-fn of_a_damaged_recording_what_can_be_read_is_exported() {
+fn the_readable_part_of_a_damaged_recording_is_exported() {
     let (folder, file) = recording();
     let bytes = std::fs::read(&file).expect("it is there");
     std::fs::write(&file, &bytes[..bytes.len() - 20]).expect("there is room");

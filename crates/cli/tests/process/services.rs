@@ -13,7 +13,7 @@ fn service(home: &Path, arguments: &[&str]) -> Command {
 }
 
 #[test]
-fn a_service_is_installed_told_of_and_removed() {
+fn a_service_is_installed_shown_and_removed() {
     let home = tempfile::tempdir().expect("there is room");
     let file = home.path().join(".config/systemd/user/dobot.service");
     let data = home.path().join("the data");
@@ -45,7 +45,7 @@ fn a_service_is_installed_told_of_and_removed() {
     run(&mut service(home.path(), &["remove"]), b"").fails(1, &["no service", "service install"]);
 }
 
-/// What systemd itself says of it, where it is there.
+/// The verdict of systemd, if it is installed.
 fn verify(file: &Path) {
     let verified = Command::new("systemd-analyze")
         .args(["verify", "--user"])

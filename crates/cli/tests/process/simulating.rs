@@ -41,7 +41,7 @@ fn a_trace_has_the_layout_of_the_recordings() {
 }
 
 #[test]
-fn text_that_an_earlier_run_left_does_not_stay_beside_a_trace_without() {
+fn text_of_an_earlier_run_does_not_remain_next_to_a_trace_without_text() {
     let folder = tempfile::tempdir().expect("there is room");
     let out = folder.path().join("out.csv");
     let old = folder.path().join("out.other_port.txt");
@@ -51,7 +51,7 @@ fn text_that_an_earlier_run_left_does_not_stay_beside_a_trace_without() {
 }
 
 #[test]
-fn a_trace_goes_to_standard_output_and_is_the_same_every_time() {
+fn a_trace_is_written_to_standard_output_and_is_always_the_same() {
     let run = || {
         let script = b"!end 2000\ncredit 3 0 240 0 0 0 0 2 0 0";
         dobot_reading(&["simulate", "-", "--trace", "-"], script).succeeds()
@@ -67,7 +67,7 @@ fn a_trace_goes_to_standard_output_and_is_the_same_every_time() {
 }
 
 #[test]
-fn without_files_a_summary_says_what_happened() {
+fn without_files_a_summary_describes_the_run() {
     let script = b"!end 1000\n100 3 0 999 0 0 0 0 2 0 0\n5000 3 0 240 0 0 0 0 2 0 0";
     let outcome = dobot_reading(&["simulate", "-"], script).succeeds();
     for part in [
@@ -97,7 +97,7 @@ fn a_plot_is_an_svg_file() {
 }
 
 #[test]
-fn a_wrong_line_is_told_with_file_and_number() {
+fn a_wrong_line_is_reported_with_file_and_number() {
     let folder = tempfile::tempdir().expect("there is room");
     let path = folder.path().join("wrong.script");
     std::fs::write(&path, "# words\n!end 500\n100 3 0 240 0 0\n").expect("there is room");
@@ -107,7 +107,7 @@ fn a_wrong_line_is_told_with_file_and_number() {
 }
 
 #[test]
-fn what_cannot_be_read_or_run_is_an_error() {
+fn an_unreadable_or_unsuitable_script_is_an_error() {
     dobot(&["simulate", "no-such.script"]).fails(1, &["cannot read no-such.script"]);
     dobot_reading(&["simulate", "-"], b"!port bt").fails(
         2,
@@ -129,7 +129,7 @@ fn what_cannot_be_read_or_run_is_an_error() {
 }
 
 #[test]
-fn a_script_whose_packets_are_refused_fails_where_that_is_asked_for() {
+fn a_script_with_refused_packets_fails_on_request() {
     let refused = b"credit 3 0 500 0 0 0 0 1 0 0";
     dobot_reading(&["simulate", "-"], refused).succeeds();
     let ended = dobot_reading(&["simulate", "-", "--strict"], refused);

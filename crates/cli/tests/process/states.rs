@@ -47,7 +47,7 @@ fn a_mouse_moves_by_an_increment() {
 }
 
 #[test]
-fn a_hand_leads_the_arm_to_its_place() {
+fn a_hand_guides_the_arm_to_its_place() {
     let expected = Gesture {
         x: 230.0,
         y: -20.0,
@@ -77,7 +77,7 @@ fn a_vector_burns_only_with_the_laser_armed() {
 }
 
 #[test]
-fn words_are_said_as_text_to_an_arm_that_hears() {
+fn words_are_sent_as_text_to_an_arm_with_voice_support() {
     let said = Voice::new("left ten").expect("it is ASCII");
     gets(&["say", "left", "ten"], said);
     gets(&["say", "left ten"], said);
@@ -89,7 +89,7 @@ fn words_become_a_straight_line_for_a_stock_arm_over_usb() {
     // By the specification's reading, MOVL of a stock arm is MOVJ.
     let is_up = |it: &&Command| match it {
         Command::MoveTo(MoveTo { z_mm, mode, .. }) => {
-            // It stands with both arms at 45 degrees, at -17.68 mm.
+            // It rests with both arms at 45 degrees, at -17.68 mm.
             (*z_mm + 17.678 - 12.0).abs() < 0.01 && *mode != MovingMode::Jump
         }
         _ => false,
@@ -102,7 +102,7 @@ fn words_become_a_straight_line_for_a_stock_arm_over_usb() {
 }
 
 #[test]
-fn what_a_voice_command_cannot_say_is_refused_with_what_it_can() {
+fn words_that_a_voice_command_cannot_express_are_refused_with_those_it_can() {
     dobot(&["say", "sideways ten"]).fails(2, &["ahead, back, left", "a number"]);
     dobot(&["say", "left 10"]).fails(2, &["`left` needs one number in words", "`left ten`"]);
     dobot(&["say", "stock", "--dialect", "firmware-1.1"]).fails(2, &["ahead, back, left"]);
@@ -112,7 +112,7 @@ fn what_a_voice_command_cannot_say_is_refused_with_what_it_can() {
 }
 
 #[test]
-fn the_linear_jog_moves_what_both_jogs_have() {
+fn the_linear_jog_moves_the_axes_common_to_both_jogs() {
     for (button, axis) in [
         ("servo+", LinearJogAxis::ServoPlus),
         ("gripper-", LinearJogAxis::GripperClose),
@@ -128,7 +128,7 @@ fn the_linear_jog_moves_what_both_jogs_have() {
 }
 
 #[test]
-fn a_laser_that_the_linear_jog_switched_on_goes_off_again() {
+fn a_laser_switched_on_by_the_linear_jog_is_switched_off_again() {
     let verb = ["jog", "laser-on", "--frame", "linear", "--for", "0.2"];
     let folder = tempfile::tempdir().expect("there is room");
     let policy = folder.path().join("policy.toml");
@@ -155,7 +155,7 @@ fn an_axis_of_the_other_jog_is_refused() {
 }
 
 #[test]
-fn a_packet_by_which_a_stock_arm_would_hang_is_not_sent() {
+fn a_packet_that_would_hang_a_stock_arm_is_not_sent() {
     let stock = ["--dialect", "firmware-1.1"];
     dobot(&[&["mouse", "0", "0", "0"][..], &stock].concat()).fails(1, &["hang"]);
     dobot(&["vector", "0", "0", "0"]).fails(1, &["N16", "0.0001"]);

@@ -18,11 +18,11 @@ fn near(value: &Value, expected: f64) -> bool {
 }
 
 #[test]
-fn verbs_go_through_the_running_station_and_others_through_no_station() {
+fn verbs_use_the_running_station_and_others_use_none() {
     let up = Up::new(&[]);
     let moved = up.json(&["move", "220", "-30", "20"]);
     assert!(near(&moved["x_mm"], 220.0), "{moved}");
-    // Another process sees where the arm is; an arm of its own stands elsewhere.
+    // Another process sees the place of the arm; its own arm would be elsewhere.
     let seen = up.json(&["status", "--count", "1"]);
     assert!(near(&seen["y_mm"], -30.0), "{seen}");
     let own = up.json(&["status", "--to", "virtual:"]);
@@ -32,7 +32,7 @@ fn verbs_go_through_the_running_station_and_others_through_no_station() {
 }
 
 #[test]
-fn a_thousand_times_as_fast_no_status_is_lost_and_a_drawing_of_minutes_takes_no_time() {
+fn at_a_thousand_times_real_time_no_status_is_lost_and_a_long_drawing_ends_at_once() {
     let up = Up::at_speed("1000", &["--personality", "firmware-1.1"]);
     let drawn = up.dobot(&["draw", &example("harbour.svg")]).succeeds();
     assert!(drawn.stdout.contains("3:"), "minutes: {drawn:?}");
@@ -72,7 +72,7 @@ fn a_jog_through_the_station_moves_and_comes_to_rest() {
 }
 
 #[test]
-fn settings_and_switches_go_through_the_station() {
+fn settings_and_switches_pass_through_the_station() {
     // In real time: the next status already shows the effect of a switch.
     let up = Up::at_speed("1", &[]);
     up.dobot(&["set", "moves", "--joint-speed", "100"])
@@ -84,7 +84,7 @@ fn settings_and_switches_go_through_the_station() {
 }
 
 #[test]
-fn one_program_has_control_and_anybody_may_stop() {
+fn one_client_has_control_and_anyone_may_stop() {
     let up = Up::new(&[]);
     let mut holder = RunningProcess::new(up.command(&["lease", "take"]));
     holder.wait_for_line("you have control");
@@ -105,7 +105,7 @@ fn one_program_has_control_and_anybody_may_stop() {
 }
 
 #[test]
-fn control_that_is_asked_for_comes_when_its_holder_ends() {
+fn requested_control_is_granted_when_its_holder_ends() {
     let up = Up::new(&[]);
     let mut holder = RunningProcess::new(up.command(&["lease", "take"]));
     holder.wait_for_line("you have control");
@@ -117,7 +117,7 @@ fn control_that_is_asked_for_comes_when_its_holder_ends() {
 }
 
 #[test]
-fn students_get_their_time_one_after_the_other_and_all_of_it_is_cleared() {
+fn students_get_their_slots_one_after_another_and_all_slots_are_cleared() {
     let up = Up::new(&[]);
     let output = |arguments: &[&str]| up.dobot(arguments).succeeds().stdout;
     let free = "no time slots; the arm is free for everyone\n";
@@ -138,7 +138,7 @@ fn students_get_their_time_one_after_the_other_and_all_of_it_is_cleared() {
 }
 
 #[test]
-fn a_person_takes_control_from_a_raw_program_by_a_verb() {
+fn a_person_takes_control_from_a_raw_client_by_a_verb() {
     let up = Up::new(&[]);
     let mut raw = TcpStream::connect(&up.raw).expect("it is served");
     raw.set_read_timeout(Some(Duration::from_secs(60)))
@@ -150,7 +150,8 @@ fn a_person_takes_control_from_a_raw_program_by_a_verb() {
     // Its first packet takes control.
     let suction: Command = JointJog::new(JointJogAxis::SuctionOn, 0.0).into();
     let suction = suction.emit(&Dialect::SPECIFICATION);
-    raw.write_all(&suction.to_bytes()).expect("it is heard");
+    raw.write_all(&suction.to_bytes())
+        .expect("the station reads it");
     raw.read_exact(&mut packet).expect("a status comes");
     // It cannot be asked for it.
     up.dobot(&["move", "220", "0", "20"]).succeeds();
@@ -174,7 +175,7 @@ fn a_drawing_becomes_a_job_that_is_followed_to_its_end() {
 }
 
 #[test]
-fn jobs_are_put_in_order_queued_again_and_forgotten_by_verbs() {
+fn jobs_are_moved_queued_again_and_deleted_by_verbs() {
     let up = Up::new(&[]);
     let folder = tempfile::tempdir().expect("there is room");
     let file = folder.path().join("job.json");
@@ -203,7 +204,7 @@ fn jobs_are_put_in_order_queued_again_and_forgotten_by_verbs() {
 }
 
 #[test]
-fn a_laser_that_is_not_armed_is_told_before_anything_is_queued() {
+fn an_unarmed_laser_is_reported_before_anything_is_queued() {
     let up = Up::new(&[]);
     let square = example("square.svg");
     let burn = [
@@ -218,7 +219,7 @@ fn a_laser_that_is_not_armed_is_told_before_anything_is_queued() {
         .fails(1, &["the laser is disarmed", "--arm-laser SECONDS"]);
     assert_eq!(up.json(&["jobs"]), Value::Array(Vec::new()));
     let burned = up.dobot(&[&burn[..], &["--arm-laser", "600"]].concat());
-    // No status tells where the laser was on.
+    // No status shows where the laser was on.
     let output = burned.succeeds().stdout;
     assert!(
         output.contains("largest deviation  not measured"),
@@ -227,7 +228,7 @@ fn a_laser_that_is_not_armed_is_told_before_anything_is_queued() {
 }
 
 #[test]
-fn a_drawing_that_is_refused_leaves_nothing_to_be_started() {
+fn a_refused_drawing_leaves_no_job() {
     let up = Up::new(&[]);
     up.dobot(&["stop", "--reason", "smoke"]).succeeds();
     let draw = ["draw", &example("square.svg"), "--pen-down", "-40"];
@@ -240,7 +241,7 @@ fn a_drawing_that_is_refused_leaves_nothing_to_be_started() {
 }
 
 #[test]
-fn an_interrupted_drawing_is_paused_and_can_be_gone_on_with_or_cancelled() {
+fn an_interrupted_drawing_is_paused_and_can_be_resumed_or_cancelled() {
     let up = Up::new(&[]);
     // Too many vectors for the arm's queue: a queued vector cannot be paused.
     let draw = ["draw", &example("gear.plt"), "--pen-down", "-40"];
@@ -255,7 +256,7 @@ fn an_interrupted_drawing_is_paused_and_can_be_gone_on_with_or_cancelled() {
 }
 
 #[test]
-fn an_interrupted_laser_is_off_and_what_goes_on_with_it_arms_it_again() {
+fn an_interrupted_laser_is_off_and_resuming_arms_it_again() {
     let up = Up::new(&[]);
     let burn = [
         "draw",
@@ -305,7 +306,7 @@ fn jobs_are_queued_from_files_and_cancelled() {
 }
 
 #[test]
-fn what_the_policy_forbids_is_refused_with_the_rule_and_nothing_moves() {
+fn a_move_forbidden_by_the_policy_is_refused_with_the_rule_and_nothing_moves() {
     let up = Up::new(&[]);
     up.dobot(&["move", "220", "0", "-90"])
         .fails(1, &["table", "dobot policy"]);
@@ -317,7 +318,7 @@ fn what_the_policy_forbids_is_refused_with_the_rule_and_nothing_moves() {
 }
 
 #[test]
-fn another_dialect_or_policy_than_the_stations_is_refused() {
+fn a_dialect_or_policy_other_than_that_of_the_station_is_refused() {
     let up = Up::new(&[]);
     up.dobot(&["status", "--dialect", "firmware-1.1"])
         .fails(1, &["dobot up --dialect"]);
@@ -328,7 +329,7 @@ fn another_dialect_or_policy_than_the_stations_is_refused() {
 }
 
 #[test]
-fn a_detection_tells_the_dialect_and_what_shows_it() {
+fn a_detection_reports_the_dialect_and_its_evidence() {
     let up = Up::new(&["--personality", "firmware-1.1"]);
     let output = up.dobot(&["detect"]).succeeds().stdout;
     assert!(
@@ -345,7 +346,7 @@ fn a_second_station_of_the_same_person_is_refused() {
 }
 
 #[test]
-fn a_port_that_is_taken_is_told_with_what_to_do() {
+fn an_occupied_port_is_reported_with_a_remedy() {
     let up = Up::new(&[]);
     let folder = tempfile::tempdir().expect("there is room");
     let data = folder.path();
@@ -357,7 +358,7 @@ fn a_port_that_is_taken_is_told_with_what_to_do() {
 }
 
 #[test]
-fn ctrl_c_ends_the_station_and_the_verbs_find_none_any_more() {
+fn ctrl_c_ends_the_station_and_the_verbs_no_longer_find_it() {
     let up = Up::new(&[]);
     assert!(up.file().exists());
     let file = up.file();
@@ -370,7 +371,7 @@ fn ctrl_c_ends_the_station_and_the_verbs_find_none_any_more() {
 }
 
 #[test]
-fn a_station_that_was_killed_is_not_waited_for() {
+fn a_killed_station_is_not_waited_for() {
     let mut up = Up::new(&[]);
     up.station.kill();
     assert!(up.file().exists());
@@ -417,7 +418,7 @@ fn a_stop_and_its_reason_hold_at_the_next_start() {
     let mut up = Up::new(&[]);
     up.dobot(&["stop", "--reason", "finger caught"]).succeeds();
     let kept = up.folder.path().join("stop.toml");
-    // It is kept behind the packets, by another thread.
+    // Another thread saves it, after the packets.
     while !std::fs::read_to_string(&kept).is_ok_and(|it| it.contains("finger caught")) {
         std::thread::yield_now();
     }
@@ -436,7 +437,7 @@ fn a_stop_and_its_reason_hold_at_the_next_start() {
 }
 
 #[test]
-fn where_tokens_are_required_raw_packets_are_served_only_if_they_are_asked_for() {
+fn if_tokens_are_required_raw_packets_are_served_only_on_request() {
     let folder = tempfile::tempdir().expect("there is room");
     let start = [
         "up",

@@ -22,7 +22,7 @@ fn names(plan: &Value) -> Vec<&str> {
 }
 
 #[test]
-fn the_examples_meet_in_the_order_of_their_barriers_and_come_through() {
+fn the_examples_meet_at_their_barriers_in_order_and_finish() {
     let cube = rehearsed("cube.toml");
     let once = ["the place is free", "the cube is there"];
     assert_eq!(names(&cube), once.repeat(3));
@@ -42,7 +42,7 @@ fn the_examples_meet_in_the_order_of_their_barriers_and_come_through() {
 }
 
 #[test]
-fn arms_that_would_wait_for_ever_are_told_before_anything_is_rehearsed() {
+fn a_deadlock_of_arms_is_reported_before_anything_is_rehearsed() {
     let folder = tempfile::tempdir().expect("there is a folder");
     let write = |name: &str, text: String| {
         std::fs::write(folder.path().join(name), text).expect("it can be written");

@@ -19,7 +19,7 @@ use crate::support::terminal::{Keyboard, Terminal};
 use crate::support::up::Up;
 use crate::support::wire::Passed;
 
-/// What is wrong with the arm: more than ten millimetres on the paper.
+/// The errors of the arm: more than ten millimetres on the paper.
 const TRUTH: &str = "[zeros]\nbase = 4.0\nrear = -4.0\nfore = 4.0\n";
 const ZEROS: Calibration = Calibration {
     base_deg: 4.0,
@@ -56,7 +56,7 @@ impl Person {
         }
     }
 
-    /// Presses the point until a press moves the arm by so much.
+    /// Presses the point until a press moves the arm by this much.
     fn steps_of(&mut self, step_mm: Option<f64>) {
         const SHOWN: [&str; 3] = ["% of the jog speed", "steps of 1 mm", "steps of 0.1 mm"];
         let wanted = match step_mm {
@@ -168,9 +168,9 @@ impl Person {
 /// More than any way across the sheet takes in steps of a millimetre, on a machine so busy that every other press comes too early.
 const PRESSES: u32 = 2000;
 
-/// The tip is at rest if it stays for so many statuses.
+/// The tip is at rest if it stays for this many statuses.
 const AT_REST: u32 = 5;
-/// A press came too early if it sends the arm nothing within so many statuses.
+/// A press came too early if it sends the arm nothing within this many statuses.
 const TOO_EARLY: u32 = 200;
 
 /// Where the tip truly is.
@@ -186,7 +186,7 @@ fn tip(status: &Status) -> [f64; 3] {
 }
 
 #[test]
-fn an_arm_that_a_person_calibrated_with_the_keys_draws_the_harbour_where_it_should() {
+fn an_arm_calibrated_by_a_person_with_the_keys_draws_the_harbour_at_its_place() {
     let folder = tempfile::tempdir().expect("there is room");
     let in_folder = |name: &str| folder.path().join(name).display().to_string();
     let [truth, found] = ["truth.toml", "arm.toml"].map(in_folder);
@@ -238,7 +238,7 @@ fn an_arm_that_a_person_calibrated_with_the_keys_draws_the_harbour_where_it_shou
 }
 
 #[test]
-fn an_arm_that_was_calibrated_by_the_api_alone_draws_the_harbour_where_it_should() {
+fn an_arm_calibrated_by_the_api_alone_draws_the_harbour_at_its_place() {
     let arm = DrawingArm::new();
     let at = ["--arm", arm.address.as_str(), "--dialect", "specification"];
     let up = Up::with_arm(&at, &[]);
@@ -286,7 +286,7 @@ fn an_arm_that_was_calibrated_by_the_api_alone_draws_the_harbour_where_it_should
     );
     let job = job["job"]["job"].to_string();
     api.asks("POST", &format!("jobs/{job}/start"), &json!({}));
-    // A state that was told before the start knows nothing of the job.
+    // A state from before the start does not include the job.
     let jobs = || api.asks("GET", "jobs", &Value::Null);
     api.wait_for_state(|it| it["job"]["phase"] != "running" && jobs()[0]["phase"] != "running");
     let jobs = jobs();
@@ -352,7 +352,7 @@ impl DrawingArm {
         }
     }
 
-    /// What it has drawn.
+    /// Its drawn ink.
     fn ink(&self) -> Vec<Stroke> {
         let state = dobot(&["world", "--json", "--address", &self.world]).succeeds();
         strokes(&read_json(&state.stdout)["strokes"], "points_mm")
@@ -375,7 +375,7 @@ fn strokes(all: &Value, points: &str) -> Vec<Stroke> {
     .collect()
 }
 
-/// For so many statuses a key is held.
+/// A key is held for this many statuses.
 const PATIENCE: usize = 150;
 
 /// Forward and back, left and right, up and down.

@@ -1,4 +1,4 @@
-//! An arm in a world, and what is told of it.
+//! An arm in a world, and its reports.
 
 use std::io::BufReader;
 use std::net::TcpListener;
@@ -9,11 +9,11 @@ use crate::support::arm::FAST;
 use crate::support::program::{command, dobot};
 use crate::support::running_process::{RunningProcess, line_with};
 
-/// `dobot arm --world` as a process of its own; it ends with the test.
+/// `dobot arm --world` as a separate process; it ends with the test.
 struct Inhabited {
     _served: RunningProcess,
     told: BufReader<ChildStderr>,
-    /// Where the arm is, and where its world is told.
+    /// The addresses of the arm and of its world.
     arm: String,
     world: String,
 }
@@ -48,7 +48,7 @@ impl Inhabited {
         serde_json::from_str(&outcome.stdout).expect("it is JSON")
     }
 
-    /// Waits until it tells something.
+    /// Waits for its first report.
     fn wait_for(&mut self, part: &str) {
         line_with(part, &mut self.told);
     }
@@ -62,7 +62,7 @@ fn scene(name: &str) -> String {
 }
 
 #[test]
-fn what_is_drawn_over_tcp_is_ink_in_the_world_and_on_its_picture() {
+fn a_drawing_over_tcp_is_ink_in_the_world_and_in_its_picture() {
     let arm = Inhabited::new(&scene("desk"));
     let square = crate::support::program::example("square.svg");
     arm.run(&["draw", &square, "--pen-down", "-40"]);
@@ -92,7 +92,7 @@ fn what_is_drawn_over_tcp_is_ink_in_the_world_and_on_its_picture() {
 }
 
 #[test]
-fn a_cube_is_picked_up_and_put_on_a_tray_with_the_verbs_of_the_program() {
+fn a_cube_is_picked_up_and_placed_on_a_tray_with_the_verbs_of_the_program() {
     let mut arm = Inhabited::new(&scene("pick-and-place"));
     let go = |x: &str, y: &str, z: &str, pump: &str| {
         arm.run(&["move", x, y, z, "--path", "movj", "--suction", pump]);
@@ -120,7 +120,7 @@ fn a_cube_is_picked_up_and_put_on_a_tray_with_the_verbs_of_the_program() {
 }
 
 #[test]
-fn a_bad_scene_is_told_with_file_and_line() {
+fn a_bad_scene_is_reported_with_file_and_line() {
     let folder = tempfile::tempdir().expect("there is room");
     let file = folder.path().join("bad.toml");
     std::fs::write(
@@ -138,7 +138,7 @@ fn a_bad_scene_is_told_with_file_and_line() {
 }
 
 #[test]
-fn a_world_port_that_is_taken_and_one_where_no_world_is_told_are_told() {
+fn an_occupied_world_port_and_one_without_a_world_are_reported() {
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let taken = listener.local_addr().expect("it is bound").to_string();
     let desk = scene("desk");

@@ -53,7 +53,7 @@ impl Api {
             .expect("the station reports a matching state")
     }
 
-    /// What it answers, which is no problem.
+    /// Its answer, which is not a problem.
     pub(crate) fn asks(&self, method: &str, path: &str, body: &Value) -> Value {
         let Self { address, lease } = self;
         let body = if body.is_null() {

@@ -23,7 +23,7 @@ pub(crate) fn fast_arm(arguments: &[&str]) -> RunningProcess {
     real_time_arm(&[&["--time-factor", FAST], arguments].concat())
 }
 
-/// An arm behind a wire that records the packets.
+/// An arm at the end of a wire that records the packets.
 pub(crate) struct WiredArm {
     _arm: RunningProcess,
     /// The end that a station connects to.

@@ -12,7 +12,7 @@ use super::program::{Outcome, command_at, run};
 use super::running_process::RunningProcess;
 use super::wire::Passed;
 
-/// An arm behind a wire that listens, and the data of a station.
+/// An arm at the end of a wire that records, and the data of a station.
 pub(crate) struct Bench {
     pub(crate) arm: WiredArm,
     folder: TempDir,
@@ -57,7 +57,7 @@ impl Bench {
         (station, page.to_owned())
     }
 
-    /// A station that is there, and what it prints on standard error.
+    /// A running station and its standard error.
     pub(crate) fn station_with_errors(&self) -> (RunningProcess, impl BufRead + use<>) {
         let (mut station, errors) = RunningProcess::with_errors(self.up(&[]));
         station.wait_for_line("Ctrl-C");

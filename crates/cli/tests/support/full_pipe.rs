@@ -1,4 +1,4 @@
-//! Standard error that nobody reads.
+//! A standard error without a reader.
 
 use std::io::{PipeReader, PipeWriter, Write, pipe};
 

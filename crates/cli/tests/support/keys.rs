@@ -61,7 +61,7 @@ impl Bench {
         panic!("the arm does not jog");
     }
 
-    /// Lets so many statuses pass, within which the arm gets no release.
+    /// Waits for this many statuses, within which the arm gets no release.
     pub(crate) fn still_jogs_for(&self, statuses: usize) {
         let mut seen = 0;
         while seen < statuses {

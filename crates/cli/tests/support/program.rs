@@ -1,4 +1,4 @@
-//! Runs `dobot` and says what came of it.
+//! Runs `dobot` and reports the outcome.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -20,7 +20,7 @@ impl Outcome {
         self
     }
 
-    /// Fails with one error and a hint that say these things.
+    /// Fails with one error and a hint that contain these texts.
     #[track_caller]
     pub(crate) fn fails(self, code: i32, parts: &[&str]) -> Self {
         assert_eq!(self.code, Some(code), "{self:?}");

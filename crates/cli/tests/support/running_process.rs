@@ -47,7 +47,7 @@ impl RunningProcess {
     #[cfg(unix)]
     pub(crate) fn write_line(&mut self, line: &str) {
         let input = self.child.stdin.as_mut().expect("it is piped");
-        writeln!(input, "{line}").expect("it is heard");
+        writeln!(input, "{line}").expect("the process reads it");
     }
 
     fn start(command: Command, errors: Stdio) -> Self {

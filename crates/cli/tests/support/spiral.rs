@@ -4,7 +4,7 @@ use dobot_api::{JobKind, JobProgram, NewJob};
 use dobot_arm::Tool;
 use dobot_wire::{Command, Configuration, JointJog, JointJogAxis, MoveTo, WriteVector};
 
-/// What is said first to an arm, and last.
+/// The first and the last packets to an arm.
 pub(crate) const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
 
 /// A spiral to be burnt: no two of its points are near each other.

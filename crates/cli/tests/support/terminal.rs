@@ -1,4 +1,4 @@
-//! A `dobot` in a terminal of its own, with a person who presses keys.
+//! A `dobot` in its own terminal, with a person who presses keys.
 
 use std::fs::File;
 use std::io::{Read, Write};
@@ -14,12 +14,12 @@ use rustix::termios::{Winsize, tcsetwinsize};
 
 use super::PATIENCE;
 
-/// What a terminal tells of its keys.
+/// The key events that a terminal reports.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Keyboard {
     /// That they are pressed.
     Plain,
-    /// Also that they are let go, by the protocol of kitty.
+    /// Releases too, by the protocol of kitty.
     Kitty,
 }
 
@@ -164,7 +164,7 @@ impl Drop for Terminal {
     }
 }
 
-/// The command in a session of its own: else it would ask the terminal of who runs the test.
+/// The command in its own session: otherwise it would use the terminal that runs the test.
 fn alone(command: &Command) -> Command {
     let mut alone = Command::new("setsid");
     alone.arg(command.get_program()).args(command.get_args());
@@ -177,7 +177,7 @@ fn alone(command: &Command) -> Command {
     alone
 }
 
-/// Reads what is shown, and answers what a terminal is asked.
+/// Reads the screen, and answers queries to the terminal.
 fn show(mut screen: File, keyboard: Keyboard, mut tell: impl FnMut(String) -> bool) {
     let mut bytes = [0; 4096];
     // The read fails when the program is gone.

@@ -22,7 +22,7 @@ pub(crate) enum Trouble {
     Silence,
 }
 
-/// Stands between the program and a virtual arm, and makes trouble after so many write vectors.
+/// A relay between the program and a virtual arm that causes trouble after this many write vectors.
 /// Returns what came of the program, the commands before that and those after it.
 pub(crate) fn troubled(vectors: usize, trouble: Trouble) -> (Outcome, Vec<Command>, Vec<Command>) {
     let mut arm = real_time_arm(&["--tcp", "127.0.0.1:0"]);
@@ -46,7 +46,7 @@ pub(crate) fn troubled(vectors: usize, trouble: Trouble) -> (Outcome, Vec<Comman
     .expect("the program starts");
     let pid = Pid::from_child(&child);
     let (mut client, _) = listener.accept().expect("the program connects");
-    // It finds nobody when it connects again.
+    // It finds no listener when it connects again.
     drop(listener);
     let mut server = TcpStream::connect(arm_address).expect("the arm is served");
     let silent = Arc::new(AtomicBool::new(false));

@@ -1,4 +1,4 @@
-//! A station as a process of its own.
+//! A station as a separate process.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -85,7 +85,7 @@ impl Up {
         self.wait_for_state(|it| it["job"]["phase"] == "running");
     }
 
-    /// Where it tells others where it is.
+    /// The file with its address.
     pub(crate) fn file(&self) -> PathBuf {
         self.folder.path().join("station.toml")
     }

@@ -60,7 +60,7 @@ pub(crate) fn wire(arm: SocketAddr) -> (SocketAddr, Receiver<Passed>) {
 
 fn tell_all(tell: &Sender<Passed>, all: impl IntoIterator<Item = Passed>) {
     for it in all {
-        // A test that is over listens no more.
+        // A finished test no longer listens.
         let _ = tell.send(it);
     }
 }

@@ -20,7 +20,7 @@ fn station(bench: &Bench, format: &str) -> (RunningProcess, PipeReader, String) 
     let mut command = bench.up(&["--log-format", format]);
     command.env("RUST_LOG", "debug");
     let (station, errors) = RunningProcess::with_full_errors(command);
-    // Where it is does not stand on standard output with every format.
+    // Not every format has its address on standard output.
     let file = bench.folder().join("station.toml");
     let page = loop {
         let text = std::fs::read_to_string(&file).unwrap_or_default();
@@ -46,7 +46,7 @@ fn delay_until(bench: &Bench, at: Instant, wanted: &[Command]) -> Duration {
     }
 }
 
-/// Creates a FIFO in the data folder. Opening it for writing blocks, because nobody reads it.
+/// Creates a FIFO in the data folder. Opening it for writing blocks, because it has no reader.
 fn unread_pipe(bench: &Bench, name: &str) {
     let mode = rustix::fs::Mode::from_bits_truncate(0o600);
     let file = bench.folder().join(name);
@@ -54,7 +54,7 @@ fn unread_pipe(bench: &Bench, name: &str) {
 }
 
 #[test]
-fn a_killed_or_frozen_station_is_spoken_for_though_nobody_reads_standard_error() {
+fn a_watchdog_acts_for_a_killed_or_frozen_station_even_if_standard_error_is_never_read() {
     for format in FORMATS {
         for how in [Signal::KILL, Signal::STOP] {
             let bench = Bench::new();
@@ -68,7 +68,7 @@ fn a_killed_or_frozen_station_is_spoken_for_though_nobody_reads_standard_error()
 }
 
 #[test]
-fn a_verb_that_is_killed_is_spoken_for_though_nobody_reads_its_standard_error() {
+fn a_watchdog_acts_for_a_killed_verb_even_if_standard_error_is_never_read() {
     let bench = Bench::new();
     let jog = [
         "jog",
@@ -88,7 +88,7 @@ fn a_verb_that_is_killed_is_spoken_for_though_nobody_reads_its_standard_error() 
 }
 
 #[test]
-fn a_killed_station_is_spoken_for_though_its_note_is_a_pipe_that_nobody_reads() {
+fn a_watchdog_acts_for_a_killed_station_even_if_its_note_is_a_pipe_without_a_reader() {
     let bench = Bench::new();
     unread_pipe(&bench, "watchdog.txt");
     let (mut station, _errors) = bench.station_with_errors();
@@ -100,7 +100,7 @@ fn a_killed_station_is_spoken_for_though_its_note_is_a_pipe_that_nobody_reads() 
 }
 
 #[test]
-fn a_released_button_and_a_stop_reach_the_arm_though_nobody_reads_standard_error() {
+fn a_released_button_and_a_stop_reach_the_arm_even_if_standard_error_is_never_read() {
     for format in FORMATS {
         let bench = Bench::new();
         let (_station, _errors, page) = station(&bench, format);
@@ -128,7 +128,7 @@ fn a_released_button_and_a_stop_reach_the_arm_though_nobody_reads_standard_error
 }
 
 #[test]
-fn a_stop_a_release_and_a_frozen_station_reach_the_arm_though_the_disk_hangs() {
+fn a_stop_a_release_and_the_watchdog_reach_the_arm_even_if_the_disk_hangs() {
     let bench = Bench::new();
     // The stop is written here, and the disk never answers.
     unread_pipe(&bench, "stop.new");

@@ -20,7 +20,7 @@ pub(crate) const JOINT_RELEASE: Command =
     Command::JointJog(JointJog::new(JointJogAxis::Released, 0.0));
 const LINEAR_RELEASE: Command = Command::LinearJog(LinearJog::new(LinearJogAxis::Released, 0.0));
 
-/// An arm behind a wire and a place for its station, while nothing else runs.
+/// An arm at the end of a wire and a place for its station, while nothing else runs.
 pub(crate) struct Bench {
     bench: bench::Bench,
     _alone: MutexGuard<'static, ()>,
@@ -43,14 +43,14 @@ impl Bench {
         }
     }
 
-    /// A station that may move its arm, and what it prints on standard error.
+    /// A station that may move its arm, and its standard error.
     fn station(&self) -> (RunningProcess, impl BufRead + use<>) {
         let station = self.station_with_errors();
         self.confirm();
         station
     }
 
-    /// Somebody holds a button, and the arm moves.
+    /// A person holds a button, and the arm moves.
     pub(crate) fn jog(&self, button: &str) -> RunningProcess {
         let holder = self.spawn(&["jog", button, "--for", "60"]);
         self.wait_for_jog();
@@ -71,8 +71,8 @@ impl Bench {
         }
     }
 
-    /// The commands until the arm told the same place ten times, or the wire is closed; and when it
-    /// told that place first.
+    /// The commands until the arm reported the same place ten times, or the wire is closed; and when it
+    /// reported that place first.
     fn until_at_rest(&self) -> (Vec<(Instant, Command)>, Instant) {
         let (mut commands, mut last, mut still) = (Vec::new(), None, 0);
         let mut since = Instant::now();
@@ -105,7 +105,7 @@ impl Bench {
         status["base_deg"].as_f64().expect("a number")
     }
 
-    /// The watchdog said it within 0.4 s, both things, three times at least.
+    /// The watchdog sent both packets within 0.4 s, at least three times.
     #[track_caller]
     pub(crate) fn check_words(&self, at: Instant, release: Command) {
         let (commands, rests) = self.until_at_rest();
@@ -130,7 +130,7 @@ fn signal(station: &RunningProcess, signal: rustix::process::Signal) {
 }
 
 #[test]
-fn an_arm_whose_station_is_killed_while_somebody_jogs_a_joint_is_let_go() {
+fn an_arm_whose_station_is_killed_during_a_joint_jog_is_released() {
     let bench = Bench::new();
     let (mut station, _errors) = bench.station();
     let _holder = bench.jog("base+");
@@ -142,7 +142,7 @@ fn an_arm_whose_station_is_killed_while_somebody_jogs_a_joint_is_let_go() {
 }
 
 #[test]
-fn an_arm_that_is_used_without_a_station_is_let_go_too_when_the_verb_is_killed() {
+fn an_arm_used_without_a_station_is_released_when_the_verb_is_killed() {
     let bench = Bench::new();
     let to = ["--to", &bench.arm.address, "--pose-confirmed"];
     let mut verb = bench.spawn(&[&["jog", "base+", "--for", "60"][..], &to].concat());
@@ -170,7 +170,7 @@ fn children(of: rustix::process::Pid) -> Vec<rustix::process::Pid> {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_watchdog_that_is_killed_is_replaced_and_the_next_one_lets_go() {
+fn a_killed_watchdog_is_replaced_and_the_next_one_releases_the_arm() {
     let bench = Bench::new();
     let (mut station, mut errors) = bench.station();
     let watchdogs = children(station.pid());
@@ -202,7 +202,7 @@ fn burning(bench: &Bench) -> (RunningProcess, RunningProcess) {
 }
 
 #[test]
-fn a_light_whose_station_is_killed_or_stands_still_is_off_within_two_fifths_of_a_second() {
+fn a_laser_whose_station_is_killed_or_frozen_is_off_within_two_fifths_of_a_second() {
     use rustix::process::Signal;
     for how in [Signal::KILL, Signal::STOP] {
         let bench = Bench::new();
@@ -221,7 +221,7 @@ fn a_light_whose_station_is_killed_or_stands_still_is_off_within_two_fifths_of_a
 }
 
 #[test]
-fn an_arm_whose_station_is_killed_in_a_linear_jog_is_let_go_and_the_next_start_tells_it() {
+fn an_arm_whose_station_is_killed_during_a_linear_jog_is_released_and_the_next_start_reports_it() {
     let bench = Bench::new();
     let (mut station, _errors) = bench.station();
     let _holder = bench.jog("y-");
@@ -237,7 +237,7 @@ fn an_arm_whose_station_is_killed_in_a_linear_jog_is_let_go_and_the_next_start_t
 }
 
 #[test]
-fn an_arm_whose_station_stands_still_is_let_go_and_the_station_tells_it_when_it_goes_on() {
+fn an_arm_whose_station_is_frozen_is_released_and_the_station_reports_it_when_it_continues() {
     use rustix::process::Signal;
     let bench = Bench::new();
     let (station, mut errors) = bench.station();
@@ -249,10 +249,10 @@ fn an_arm_whose_station_stands_still_is_let_go_and_the_station_tells_it_when_it_
     signal(&station, Signal::CONT);
     line_with("the station hung for", &mut errors);
     line_with("the station was silent for", &mut errors);
-    // What it says first is laser off; it does not take up the jog where it was.
+    // Its first packet is laser off; it does not resume the jog.
     let first = loop {
         match bench.command() {
-            // Once more by the watchdog, which goes on until it hears the arm or the station.
+            // Once more by the watchdog, which continues until it receives a byte of the arm or the station.
             (_, JOINT_RELEASE) => {}
             (at, command) if at > on => break command,
             // The watchdog's last words may still be on the wire.
@@ -263,7 +263,7 @@ fn an_arm_whose_station_stands_still_is_let_go_and_the_station_tells_it_when_it_
 }
 
 #[test]
-fn a_silent_listener_where_a_station_was_does_not_keep_the_laser_on() {
+fn a_silent_listener_in_place_of_a_station_does_not_keep_the_laser_on() {
     let bench = Bench::new();
     let silent = TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let address = silent.local_addr().expect("it has an address");

@@ -23,7 +23,7 @@ fn policy(folder: &TempDir) -> String {
 const LONG: usize = 8;
 
 #[test]
-fn where_a_terminal_tells_when_a_key_is_let_go_the_arm_moves_until_then() {
+fn if_a_terminal_reports_releases_the_arm_moves_until_the_key_is_released() {
     let _alone = alone();
     let folder = tempfile::tempdir().expect("there is room");
     let mut bench = Bench::new(&["jog", "--policy", &policy(&folder)], Keyboard::Kitty);
@@ -45,7 +45,7 @@ fn stick(value: i16) -> [u8; 8] {
 }
 
 #[test]
-fn a_gamepad_moves_the_arm_until_its_stick_is_back_or_it_is_gone() {
+fn a_gamepad_moves_the_arm_until_its_stick_is_centred_or_it_is_unplugged() {
     let _alone = alone();
     let folder = tempfile::tempdir().expect("there is room");
     let device = folder.path().join("js0");

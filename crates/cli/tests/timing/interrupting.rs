@@ -1,4 +1,4 @@
-//! A drawing that is interrupted: how soon that is heard.
+//! How soon an interrupted drawing stops.
 
 use dobot_wire::WriteVector;
 use rustix::process::Signal;
@@ -7,7 +7,7 @@ use crate::alone;
 use crate::support::trouble::{Trouble, is_laser_off, troubled, vector};
 
 #[test]
-fn ctrl_c_in_a_drawing_lifts_the_pen_switches_the_laser_off_and_says_how_far_it_got() {
+fn ctrl_c_in_a_drawing_lifts_the_pen_switches_the_laser_off_and_reports_the_progress() {
     let _alone = alone();
     parts(
         Trouble::Signal(Signal::INT),
@@ -50,6 +50,6 @@ fn parts(trouble: Trouble, told: &[&str]) {
     );
     assert!((lift.z_mm - FINELINER_LIFT_MM).abs() < 1e-3, "{lift:?}");
     assert_eq!((lift.x_mm, lift.y_mm), (0.0, 0.0));
-    // What was permitted already, and no more.
+    // Only packets that were already permitted.
     assert!(rest.len() < 6, "{after:?}");
 }

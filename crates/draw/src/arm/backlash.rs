@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn a_circle_that_a_slack_arm_draws_is_round() {
+    fn a_circle_drawn_by_an_arm_with_backlash_is_round() {
         let paper = Paper::default();
         let middle = Point::new(210.0, 0.0);
         let circle: Vec<Point> = (0..=120)
@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_on_which_no_joint_turns_back_stays_as_it_is() {
+    fn a_line_on_which_no_joint_turns_back_is_unchanged() {
         let walk = |at: Point| {
             inverse(
                 &Pose {

@@ -282,7 +282,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_laser_burns_several_times_is_left_as_often_as_it_is_not_burned() {
+    fn the_remaining_repetitions_of_a_laser_are_kept() {
         let laser = |by_stroke| {
             let laser = Laser {
                 times: 3,
@@ -319,7 +319,7 @@ mod tests {
     }
 
     #[test]
-    fn a_share_counts_by_length_and_may_begin_within_a_stroke() {
+    fn a_percentage_counts_by_length_and_may_start_within_a_stroke() {
         // 10 of 40 mm: the second stroke as a whole. 20 of 40 mm: half of it.
         assert_eq!(
             rest(&ResumePoint::Percent(25.0)),
@@ -353,7 +353,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_there_is_reported_with_what_is() {
+    fn a_missing_pass_or_stroke_is_reported_with_the_existing_ones() {
         let error = |from: ResumePoint| from.rest_of(passes()).unwrap_err().to_string();
         for name in ["green", "0", "3"] {
             assert_eq!(
@@ -381,7 +381,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn what_is_left_is_as_long_as_it_should_be(
+        fn the_rest_has_the_remaining_length(
             lengths in proptest::collection::vec(0.0..30.0_f64, 1..12),
             percent in 0.0..100.0_f64,
             times in 1..4_u32,

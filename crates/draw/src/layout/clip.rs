@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_inside_stays_as_it_is() {
+    fn strokes_inside_are_unchanged() {
         let mut ring = line(&[(1.0, 1.0), (9.0, 1.0), (9.0, 10.0), (1.0, 1.0)]);
         ring.closed = true;
         let strokes = [ring, line(&[(0.0, 0.0)]), line(&[(2.0, 2.0), (3.0, 3.0)])];
@@ -238,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stroke_that_leaves_and_comes_back_becomes_two() {
+    fn a_stroke_that_leaves_and_returns_becomes_two() {
         let stroke = line(&[(1.0, 5.0), (12.0, 5.0), (12.0, 6.0), (1.0, 6.0)]);
         let clipped = clip_to_reach(&[stroke], AROUND, in_area);
         let parts = [
@@ -250,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn a_closed_stroke_goes_on_over_its_begin() {
+    fn a_closed_stroke_continues_over_its_start() {
         let mut ring = line(&[(5.0, 5.0), (5.0, 8.0), (15.0, 8.0), (15.0, 5.0), (5.0, 5.0)]);
         ring.closed = true;
         let clipped = clip_to_reach(&[ring], AROUND, in_area);
@@ -259,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_outside_is_counted() {
+    fn strokes_outside_are_counted() {
         let strokes = [
             line(&[(20.0, 0.0)]),
             line(&[(20.0, 0.0), (20.0, 7.0)]),
@@ -285,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_far_away_is_cut_without_a_look_at_each_millimetre() {
+    fn distant_strokes_are_cut_without_checking_each_millimetre() {
         let far = 1e12;
         let through = line(&[(-far, 5.0), (far, 5.0), (far, far), (-far, -far)]);
         let asked = std::cell::Cell::new(0);
@@ -306,7 +306,7 @@ mod tests {
     }
 
     #[test]
-    fn places_that_are_no_numbers_are_cut() {
+    fn places_that_are_not_finite_are_cut() {
         let nowhere = [
             line(&[(1.0, 1.0), (f64::NAN, 2.0)]),
             line(&[(f64::NAN, 2.0)]),
@@ -349,7 +349,7 @@ mod tests {
         }
 
         #[test]
-        fn all_that_is_kept_can_be_reached(strokes in strokes()) {
+        fn everything_kept_is_reachable(strokes in strokes()) {
             for stroke in clip_to_reach(&strokes, AROUND, in_ring).strokes {
                 for &p in &stroke.points {
                     prop_assert!(in_ring(p), "{p:?}");

@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn copies_stand_in_columns_and_rows_a_gap_apart() {
+    fn copies_are_placed_in_columns_and_rows_with_a_gap() {
         let layer = Layer {
             strokes: vec![Stroke::open(vec![
                 Point::new(1.0, 2.0),

@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn a_laser_goes_around_switched_off_as_high_as_it_burns() {
+    fn a_laser_goes_around_switched_off_at_its_burning_height() {
         let plan = around(DrawingTool::Laser(Laser::default()), FrameShape::Rectangle);
         assert!(plan.burns());
         assert!((plan.start[2] + 40.0).abs() < 1e-9, "{:?}", plan.start);
@@ -208,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn there_is_no_way_around_a_dot_and_nothing_around_nothing() {
+    fn the_frame_of_a_dot_is_a_point_and_an_empty_drawing_has_none() {
         let around = |strokes, shape| {
             let passes = [Pass::new(DrawingTool::default(), strokes)];
             frame(&passes, &Paper::default(), &ArmLimits::default(), shape)

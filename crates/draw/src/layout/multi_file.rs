@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn a_grid_has_a_cell_for_each_file_or_says_how_many_are_missing() {
+    fn a_grid_has_a_cell_for_each_file_or_reports_how_many_are_missing() {
         let file = Source::from("");
         let parts = || {
             vec![
@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn a_text_stands_below_the_ink_and_the_page_grows_for_it() {
+    fn a_text_is_placed_below_the_ink_and_the_page_grows_for_it() {
         let file = Source::from("");
         let text = |align| {
             Source::Text(Text {

@@ -223,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sheet_lies_upright_to_a_person_behind_the_arm() {
+    fn a_sheet_is_upright_for_a_person_behind_the_arm() {
         let size: PaperSize = "200x100".parse().unwrap();
         let sheet = SheetPlace::centered(size, Point::new(210.0, 0.0));
         assert!(near(sheet.place(Point::ORIGIN), (260.0, 100.0)));
@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sheet_that_was_touched_lies_as_it_was_touched() {
+    fn a_touched_sheet_is_placed_as_it_was_touched() {
         let size: PaperSize = "200x100".parse().unwrap();
         // Its lower edge points away from the arm: up is to the left.
         let [a, b] = [Point::new(100.0, 50.0), Point::new(150.0, 50.0)];

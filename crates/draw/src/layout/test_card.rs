@@ -292,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn each_cell_is_burned_at_its_speed_so_often_the_mildest_first() {
+    fn each_cell_is_burned_at_its_speed_and_repetitions_the_mildest_first() {
         let card = Card {
             speeds_mm_s: vec![4.0, 10.0],
             most_passes: 2,
@@ -318,7 +318,7 @@ mod tests {
     }
 
     #[test]
-    fn speeds_go_to_the_right_and_passes_down_as_seen_from_behind_the_arm() {
+    fn speeds_increase_to_the_right_and_passes_downwards_as_seen_from_behind_the_arm() {
         let passes = Card::default().to_passes().unwrap();
         let square_of = |name: &str| square(passes.iter().find(|pass| pass.name == name).unwrap());
         let [first, right, below] = ["3 mm/s, 1 times", "5 mm/s, 1 times", "3 mm/s, 2 times"]
@@ -329,7 +329,7 @@ mod tests {
     }
 
     #[test]
-    fn a_square_has_the_size_and_the_spacing_asked_for() {
+    fn a_square_has_the_requested_size_and_spacing() {
         let card = Card {
             cell_mm: 8.0,
             spacing_mm: 0.5,
@@ -349,7 +349,7 @@ mod tests {
     }
 
     #[test]
-    fn the_card_lies_around_its_middle_with_the_labels_on_it() {
+    fn the_card_is_centred_with_its_labels_on_it() {
         let center = Point::new(200.0, 30.0);
         let card = Card {
             center,
@@ -374,7 +374,7 @@ mod tests {
     }
 
     #[test]
-    fn settings_that_make_no_card_are_refused_with_what_is_allowed() {
+    fn invalid_settings_of_a_card_are_refused_with_what_is_allowed() {
         let error = |card: Card| card.to_passes().unwrap_err().to_string();
         let card = Card::default;
         assert_eq!(

@@ -288,7 +288,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_key_is_refused_with_the_one_that_was_meant() {
+    fn an_unknown_key_is_refused_with_the_most_similar_one() {
         assert_eq!(
             error("[materials.oak]\ntool = 'laser'\nsped_mm_s = 4\n"),
             "line 3: materials.oak.sped_mm_s is unknown; did you mean speed_mm_s? allowed are: \
@@ -331,7 +331,7 @@ mod tests {
     }
 
     #[test]
-    fn what_decides_the_result_has_to_be_said() {
+    fn settings_that_determine_the_result_are_required() {
         assert_eq!(
             error("\n[materials.oak]\n"),
             "line 2: materials.oak.tool is missing; allowed is \"pen\" or \"laser\""
@@ -347,7 +347,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_toml_is_reported_with_its_line() {
+    fn invalid_toml_is_reported_with_its_line() {
         assert!(error("[materials.oak]\ntool = \n").starts_with("line 2: "));
         assert_eq!(materials(""), Ok(BTreeMap::new()));
     }
@@ -359,7 +359,7 @@ mod tests {
         }
 
         #[test]
-        fn numbers_come_back_as_they_were_written(speed in 0.1..500.0_f64, passes in 1..=100_u32) {
+        fn numbers_are_read_as_they_were_written(speed in 0.1..500.0_f64, passes in 1..=100_u32) {
             let text = format!(
                 "[materials.m]\ntool = \"laser\"\nspeed_mm_s = {speed:?}\npasses = {passes}\n"
             );

@@ -481,7 +481,7 @@ mod tests {
     }
 
     #[test]
-    fn hidden_lines_are_left_out_where_shapes_are_painted_over_each_other() {
+    fn hidden_lines_are_removed_where_shapes_cover_each_other() {
         let options: Options = serde_json::from_str(r#"{"what": {"hide": true}}"#).unwrap();
         let of = |name: &str| {
             let file = NamedSource {
@@ -501,7 +501,7 @@ mod tests {
     }
 
     #[test]
-    fn a_word_that_no_option_knows_is_named() {
+    fn an_unknown_option_is_named() {
         let unknown = serde_json::from_str::<Options>(r#"{"place": {"turn": 90}}"#);
         assert!(unknown.unwrap_err().to_string().contains("`turn`"));
     }

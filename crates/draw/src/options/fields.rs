@@ -199,7 +199,7 @@ mod tests {
     }
 
     #[test]
-    fn a_field_is_described_as_its_own_group_has_it() {
+    fn a_field_is_described_as_in_its_group() {
         assert_eq!(Options::description("pen"), Some("Pen to draw with"));
         assert_eq!(Options::description("name"), None);
     }

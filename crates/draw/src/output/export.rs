@@ -271,7 +271,7 @@ mod tests {
     }
 
     #[test]
-    fn every_kind_of_file_is_read_again_as_the_strokes_that_it_was_made_of() {
+    fn every_exported_file_is_read_back_as_its_strokes() {
         let wanted = vec![
             vec![(0.0, 40.0), (0.0, 0.0), (60.0, 0.0)],
             vec![(30.0, 30.0), (30.0, 20.0)],
@@ -301,7 +301,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_white_or_flat_can_be_seen_in_other_programs() {
+    fn white_and_flat_drawings_are_visible_in_other_programs() {
         let line = Stroke::open(vec![Point::new(200.0, 30.0), Point::new(200.0, -30.0)]);
         for (found, color) in [([255, 255, 254], "#000000"), ([255, 255, 0], "#ffff00")] {
             let pass = Pass {
@@ -318,7 +318,7 @@ mod tests {
     }
 
     #[test]
-    fn a_laser_burns_as_often_as_it_would() {
+    fn an_exported_laser_pass_is_repeated() {
         let laser = Laser {
             times: 3,
             ..Laser::default()
@@ -333,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn a_laser_burns_each_shape_or_each_layer_so_often_and_its_dots_move() {
+    fn an_exported_laser_repeats_each_shape_or_each_layer_and_its_dots_move() {
         for (by_stroke, order) in [
             (false, [30.0, 40.0, 30.0, 40.0]),
             (true, [30.0, 30.0, 40.0, 40.0]),

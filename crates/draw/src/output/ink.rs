@@ -96,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn where_the_arm_stood_on_the_paper_before_it_drew_is_no_ink() {
+    fn the_place_of_the_arm_on_the_paper_before_drawing_is_not_ink() {
         let path = [
             (150.0, -40.0),
             (150.0, -40.0),
@@ -108,13 +108,13 @@ mod tests {
     }
 
     #[test]
-    fn of_a_laser_the_statuses_show_nothing() {
+    fn the_statuses_of_a_laser_show_no_ink() {
         let path = [(200.0, -40.0), (210.0, -40.0)];
         assert_eq!(seen(&path, DrawingTool::Laser(Laser::default())), [0.0; 0]);
     }
 
     #[test]
-    fn what_is_seen_is_measured_against_what_was_wanted() {
+    fn the_drawn_ink_is_compared_with_the_wanted_one() {
         let wanted = [Stroke::open(vec![
             Point::new(0.0, 0.0),
             Point::new(9.0, 0.0),

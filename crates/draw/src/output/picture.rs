@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn the_png_has_the_width_asked_for_and_ink_where_it_was_drawn() {
+    fn the_png_has_the_requested_width_and_ink_where_it_was_drawn() {
         let png = picture(View::Paper, |p| p.to_png(800).unwrap());
         let image = Pixmap::decode_png(&png).unwrap();
         assert_eq!(image.width(), 800);
@@ -256,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn a_width_of_nothing_is_refused() {
+    fn a_width_of_zero_is_refused() {
         let error = picture(View::Paper, |p| p.to_png(0).unwrap_err());
         assert_eq!(
             error.to_string(),

@@ -120,7 +120,7 @@ mod tests {
     use crate::{Settings, prepare};
 
     #[test]
-    fn a_plan_is_shown_in_time_before_any_arm_has_drawn_it() {
+    fn the_timeline_of_a_plan_is_available_before_any_arm_has_drawn_it() {
         let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40"><path d="M10 10H30" stroke="black"/></svg>"#;
         let all = |_| Ok::<(), String>(());
         let prepared = prepare(&Source::from(svg), &Settings::default(), all).unwrap();
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn what_nobody_wants_any_more_ends() {
+    fn a_cancelled_preparation_ends() {
         let settings = Settings::default();
         settings.cancel.cancel();
         let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="9mm" height="9mm"/>"#;

@@ -137,7 +137,7 @@ mod tests {
     use crate::{Settings, prepare};
 
     #[test]
-    fn a_rough_estimate_is_known_from_the_ways_alone() {
+    fn a_rough_estimate_needs_only_the_paths() {
         let lines: Vec<String> = (0..200)
             .map(|i| format!("M5 {}H95", 5.0 + 0.25 * f64::from(i)))
             .collect();
@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn the_share_of_a_step_is_reported_where_it_is_known() {
+    fn the_progress_of_a_step_is_reported_if_known() {
         let progress = Progress::default();
         assert_eq!(progress.share(), None);
         progress.begin(PrepareStep::Vectors, 40);

@@ -48,7 +48,7 @@ fn the_examples_are_planned_within_tolerance_and_reach() {
 }
 
 #[test]
-fn a_laser_burns_within_tolerance_though_it_burns_nothing_shorter_than_its_spot() {
+fn a_laser_burns_within_tolerance_and_nothing_shorter_than_its_spot() {
     let tool = DrawingTool::Laser(Laser {
         burn_speed_mm_s: 3.0,
         ..Laser::default()
@@ -132,7 +132,7 @@ fn at_80_mm_s(has_ticks: bool) -> Settings {
 }
 
 #[test]
-fn a_circle_is_drawn_hardly_slower_than_the_fastest_motion_along_it() {
+fn a_circle_is_drawn_almost_as_fast_as_the_fastest_motion_along_it() {
     // At v2 = a r the circle takes 2 pi sqrt(r / a); at both ends the acceleration turns from along
     // the circle to across it, which takes pi / 4 of that radian twice: the speed grows as the sine
     // of twice the angle.
@@ -188,7 +188,7 @@ fn an_enlarged_drawing_keeps_the_tolerance() {
 }
 
 #[test]
-fn a_plan_in_metres_is_read_as_finely_as_its_place_on_the_paper_needs() {
+fn a_plan_in_metres_is_read_with_the_precision_of_its_size_on_the_paper() {
     // Arcs of 100 m, whose 70,000 corners at 5 micrometres would be needed sixty times.
     let arcs = (0..60).map(|i| format!("0 ARC 8 0 10 {i} 20 0 40 100 50 0 51 359 "));
     let arcs: Vec<String> = arcs.collect();
@@ -214,7 +214,7 @@ fn a_plan_in_metres_is_read_as_finely_as_its_place_on_the_paper_needs() {
 }
 
 #[test]
-fn a_drawing_of_many_colours_that_is_drawn_as_one_has_none_of_them() {
+fn a_drawing_of_many_colours_drawn_as_one_has_none_of_them() {
     let svg = |colors: [&str; 2]| {
         let lines = colors.map(|color| format!(r#"<path d="M5 5H25V9" stroke="{color}"/>"#));
         format!(
@@ -235,7 +235,7 @@ fn a_drawing_of_many_colours_that_is_drawn_as_one_has_none_of_them() {
 }
 
 #[test]
-fn a_material_that_is_cut_through_is_cut_inside_first() {
+fn in_a_material_that_is_cut_through_inner_shapes_are_cut_first() {
     let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="80mm" viewBox="0 0 120 80">
         <g fill="none" stroke="red"><rect x="10" y="10" width="100" height="60"/><circle cx="30" cy="30" r="8"/>
         <circle cx="80" cy="40" r="12"/><rect x="45" y="20" width="15" height="15"/></g></svg>"#;
@@ -262,7 +262,7 @@ fn a_material_that_is_cut_through_is_cut_inside_first() {
 }
 
 #[test]
-fn a_hole_on_a_layer_of_its_own_is_cut_as_a_hole_and_what_is_engraved_as_it_is() {
+fn a_hole_on_its_own_layer_is_cut_as_a_hole_and_engravings_are_unchanged() {
     let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="80mm" viewBox="0 0 120 80"><g fill="none">
         <rect x="10" y="10" width="100" height="60" stroke="red"/><rect x="30" y="30" width="20" height="20" stroke="blue"/>
         <rect x="60" y="30" width="20" height="20" stroke="black"/></g></svg>"#;
@@ -332,7 +332,7 @@ fn the_rings_of_a_hatching_are_neither_parts_nor_holes_and_are_burned_before_the
 }
 
 #[test]
-fn what_is_too_large_for_the_arm_is_cut_off_where_that_is_asked_for_wherever_it_lies() {
+fn parts_out_of_reach_are_cut_off_on_request_at_any_place() {
     let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="900mm" height="900mm" viewBox="0 0 900 900">
         <path d="M0 0L900 900M0 900L900 0" stroke="black"/></svg>"#;
     let mut settings = Settings::default();
@@ -369,7 +369,7 @@ fn what_is_too_large_for_the_arm_is_cut_off_where_that_is_asked_for_wherever_it_
 }
 
 #[test]
-fn a_pen_goes_over_each_line_as_often_as_asked_for() {
+fn a_pen_draws_each_line_as_often_as_requested() {
     let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm" viewBox="0 0 50 50">
         <g fill="none" stroke="red"><path d="M5 5H25"/><rect x="5" y="20" width="10" height="10"/></g></svg>"#;
     let settings = Settings {
@@ -389,7 +389,7 @@ fn a_pen_goes_over_each_line_as_often_as_asked_for() {
 }
 
 #[test]
-fn a_tolerance_below_what_vectors_can_follow_is_refused() {
+fn a_tolerance_too_fine_for_vectors_is_refused() {
     let settings = Settings {
         tolerance_mm: 0.01,
         ..Settings::default()
@@ -402,7 +402,7 @@ fn a_tolerance_below_what_vectors_can_follow_is_refused() {
 }
 
 #[test]
-fn what_is_out_of_reach_is_refused() {
+fn a_drawing_out_of_reach_is_refused() {
     let mut settings = Settings::default();
     settings.placement.center = Some(Point::new(320.0, 0.0));
     let error = prepare(&EXAMPLES[2].into(), &settings, in_reach).unwrap_err();
@@ -413,7 +413,7 @@ fn what_is_out_of_reach_is_refused() {
 }
 
 #[test]
-fn a_drawing_larger_than_the_area_leaves_room_for_the_runs_of_a_laser() {
+fn a_drawing_larger_than_the_area_leaves_room_for_the_acceleration_of_a_laser() {
     let laser = DrawingTool::Laser(Laser {
         burn_speed_mm_s: 60.0,
         ..Laser::default()
@@ -436,7 +436,7 @@ fn a_drawing_larger_than_the_area_leaves_room_for_the_runs_of_a_laser() {
 }
 
 #[test]
-fn a_drawing_of_which_nothing_is_left_says_so_and_what_to_do() {
+fn an_empty_result_is_reported_with_a_remedy() {
     let mut settings = Settings::default();
     settings.placement.clips = true;
     settings.placement.center = Some(Point::new(600.0, 0.0));
@@ -473,7 +473,7 @@ fn a_line_along_the_border_of_the_reach_is_cut_so_that_its_vectors_stay_within()
 }
 
 #[test]
-fn what_is_clipped_leaves_room_to_run_up_to_cut_in_and_to_take_up_slack() {
+fn a_clipped_drawing_leaves_room_for_acceleration_lead_ins_and_backlash() {
     let slack = CalibrationFile {
         backlash: Backlash {
             base: 0.2,
@@ -541,8 +541,7 @@ fn what_is_clipped_leaves_room_to_run_up_to_cut_in_and_to_take_up_slack() {
 }
 
 #[test]
-fn what_a_person_says_of_the_speed_goes_before_that_of_the_file_and_no_plotter_speed_applies_to_a_laser()
- {
+fn a_given_speed_overrides_that_of_the_file_and_plotter_speeds_do_not_apply_to_a_laser() {
     let laser = DrawingTool::Laser(Laser {
         burn_speed_mm_s: 8.0,
         ..Laser::default()
@@ -598,7 +597,7 @@ fn spokes_around_the_arm() -> Vec<Stroke> {
 }
 
 #[test]
-fn ways_between_strokes_lead_around_the_arm_and_never_behind_it() {
+fn travels_between_strokes_lead_around_the_arm_and_never_behind_it() {
     let laser = DrawingTool::Laser(Laser::default());
     for tool in [DrawingTool::default(), laser] {
         for has_ticks in [false, true] {
@@ -632,7 +631,7 @@ fn ways_between_strokes_lead_around_the_arm_and_never_behind_it() {
 }
 
 #[test]
-fn the_frame_of_what_lies_around_the_arm_leads_around_it_too() {
+fn the_frame_of_a_drawing_around_the_arm_also_leads_around_it() {
     let settings = Settings::default();
     let pass = Pass::new(settings.tool, spokes_around_the_arm());
     let prepared = prepare_passes(vec![pass], &settings, in_reach).unwrap();
@@ -648,7 +647,7 @@ fn the_frame_of_what_lies_around_the_arm_leads_around_it_too() {
 }
 
 #[test]
-fn a_picture_much_larger_than_the_paper_is_hatched_as_wide_as_asked_for() {
+fn a_picture_much_larger_than_the_paper_is_hatched_at_the_requested_spacing() {
     // All black, with a white margin of the same width on the right.
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, 4800, 1600);
@@ -731,7 +730,7 @@ fn layers_are_chosen_by_names_with_commas_between_them_or_in_them() {
 }
 
 #[test]
-fn a_hole_is_cut_as_a_hole_though_its_part_is_cut_another_time() {
+fn a_hole_is_cut_as_a_hole_even_if_its_part_is_cut_another_time() {
     let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="80mm" viewBox="0 0 120 80"><g fill="none">
         <rect x="10" y="10" width="100" height="60" stroke="red"/><rect x="30" y="30" width="20" height="20" stroke="blue"/>
         </g></svg>"#;
@@ -754,7 +753,7 @@ fn a_hole_is_cut_as_a_hole_though_its_part_is_cut_another_time() {
 }
 
 #[test]
-fn an_outline_with_gaps_is_reported_with_what_closes_it() {
+fn an_outline_with_gaps_is_reported_with_a_remedy() {
     let side = |a: (f64, f64), b: (f64, f64)| vec![Point::from(a), Point::from(b)];
     let source = Source::Lines(vec![
         side((0.0, 0.0), (40.0, 0.0)),
@@ -797,7 +796,7 @@ fn an_outline_with_gaps_is_reported_with_what_closes_it() {
 }
 
 #[test]
-fn what_the_arm_burns_slower_than_asked_for_is_reported_with_the_speed_at_which_it_is_even() {
+fn lines_burned_slower_than_requested_are_reported_with_the_speed_at_which_they_are_even() {
     let ring = (0..=60).map(|i| Vec2::from_angle(f64::from(6 * i).to_radians()).to_point());
     let source = Source::Lines(vec![ring.collect()]);
     let warning_of = |burn_speed_mm_s| {
@@ -852,7 +851,7 @@ fn on_a_sheet_with_a_margin_nothing_is_drawn_in_the_margin() {
 }
 
 #[test]
-fn a_hole_comes_before_what_an_edge_that_is_drawn_once_leaves_of_its_part() {
+fn a_hole_is_cut_before_the_outline_of_a_part_with_a_shared_edge() {
     let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="80mm" viewBox="0 0 120 80"><g fill="none" stroke="red">
         <rect x="10" y="10" width="20" height="20"/><rect x="30" y="10" width="20" height="20"/>
         <circle cx="20" cy="20" r="4"/><circle cx="40" cy="20" r="5"/></g></svg>"#;

@@ -247,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn where_no_more_may_be_tried_the_way_that_seems_the_fastest_is_taken() {
+    fn when_no_more_trials_are_allowed_the_estimated_fastest_path_is_used() {
         let at = |i: u32| Point::new(220.0, 0.0) + Vec2::from_angle(f64::from(i) / 500.0) * 30.0;
         let arc = Stroke::open((0..2000).map(at).collect());
         let mut settings = Settings::default();
@@ -279,7 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn strokes_are_tried_as_long_as_that_is_a_good_part_of_the_drawing() {
+    fn strokes_are_tried_as_long_as_they_are_a_large_part_of_the_drawing() {
         let stroke = Stroke::open(vec![Point::default(); 200]);
         let fewest = Stroke::open(vec![Point::default(); 40]);
         let tried = |strokes: usize| {
@@ -310,7 +310,7 @@ mod tests {
     }
 
     #[test]
-    fn strokes_that_are_only_estimated_are_nearly_as_fast_as_if_their_ways_were_tried() {
+    fn estimated_strokes_are_almost_as_fast_as_tried_ones() {
         let settings = Settings::default();
         let mut random = Random::new(1);
         let scrawls: Vec<Stroke> = (0..60).map(|_| scrawl(&mut random)).collect();
@@ -349,7 +349,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_of_a_trembling_hand_takes_hardly_longer_than_the_line_that_it_meant() {
+    fn a_line_of_a_trembling_hand_takes_hardly_longer_than_the_intended_line() {
         let mut settings = Settings::default();
         settings.arm_limits.has_ticks = true;
         let mut random = Random::new(2);

@@ -468,7 +468,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_inside_comes_before_what_encloses_it() {
+    fn inner_shapes_come_before_outer_ones() {
         let groups = inner_first(nest(), &[]);
         let widths: Vec<Vec<f64>> = groups
             .iter()
@@ -479,7 +479,7 @@ mod tests {
     }
 
     #[test]
-    fn a_layer_inside_of_what_another_cuts_out_comes_before_it() {
+    fn a_layer_inside_a_part_of_another_one_comes_before_it() {
         let part = vec![square(0.0, 0.0, 60.0)];
         let beside = vec![square(80.0, 0.0, 10.0)];
         let slit = vec![Stroke::open(vec![
@@ -506,7 +506,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_become_larger_and_holes_smaller_by_the_width_of_the_beam() {
+    fn parts_grow_and_holes_shrink_by_the_width_of_the_beam() {
         let cutting = Cutting {
             kerf_mm: 0.2,
             ..Cutting::default()
@@ -538,7 +538,7 @@ mod tests {
     ];
 
     #[test]
-    fn parts_that_touch_or_overlap_are_no_holes_in_each_other() {
+    fn parts_that_touch_or_overlap_are_not_holes_in_each_other() {
         let cutting = Cutting {
             kerf_mm: 0.4,
             ..Cutting::default()
@@ -563,7 +563,7 @@ mod tests {
     }
 
     #[test]
-    fn of_a_shape_that_crosses_itself_all_parts_become_larger() {
+    fn all_parts_of_a_self_intersecting_shape_grow() {
         let twice = [&EIGHT[..], &EIGHT[1..]].concat();
         for points in [EIGHT.to_vec(), twice] {
             let shape = Stroke {
@@ -586,7 +586,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cut_begins_in_the_waste_and_goes_on_over_its_beginning() {
+    fn a_cut_starts_in_the_waste_and_continues_over_its_start() {
         let cutting = Cutting {
             lead_in_mm: 2.0,
             overcut_mm: 1.0,
@@ -603,7 +603,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cut_begins_no_farther_off_than_the_waste_has_room() {
+    fn a_cut_starts_no_farther_away_than_the_waste_allows() {
         let cutting = Cutting {
             lead_in_mm: 4.0,
             ..Cutting::default()
@@ -635,7 +635,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shape_that_touches_another_begins_at_a_side_beside_which_there_is_waste() {
+    fn a_shape_that_touches_another_starts_at_a_side_next_to_waste() {
         let cutting = Cutting {
             lead_in_mm: 2.0,
             ..Cutting::default()
@@ -660,7 +660,7 @@ mod tests {
     }
 
     #[test]
-    fn each_cut_between_tabs_begins_in_the_waste() {
+    fn each_cut_between_tabs_starts_in_the_waste() {
         let cutting = Cutting {
             lead_in_mm: 2.0,
             overcut_mm: 1.0,
@@ -693,7 +693,7 @@ mod tests {
     }
 
     #[test]
-    fn the_cut_of_a_shape_that_crosses_itself_begins_outside_of_it() {
+    fn the_cut_of_a_self_intersecting_shape_starts_outside_of_it() {
         let mut points = EIGHT.map(Point::from).to_vec();
         let cutting = Cutting {
             lead_in_mm: 3.0,
@@ -714,7 +714,7 @@ mod tests {
     }
 
     #[test]
-    fn tabs_stay_uncut_and_lie_evenly_around() {
+    fn tabs_stay_uncut_and_are_evenly_spaced() {
         let cutting = Cutting {
             tabs: 4,
             tab_mm: 1.0,

@@ -256,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_that_lies_on_another_is_dropped_whichever_way_it_goes() {
+    fn a_line_on_top_of_another_is_dropped_in_either_direction() {
         let square = [(0.0, 0.0), (9.0, 0.0), (9.0, 9.0), (0.0, 9.0), (0.0, 0.0)];
         let from_elsewhere = [(9.0, 9.0), (9.0, 0.0), (0.0, 0.0), (0.0, 9.0), (9.0, 9.0)];
         let strokes = vec![
@@ -278,7 +278,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_with_the_same_corners_are_no_duplicates_where_they_go_elsewhere() {
+    fn lines_with_the_same_corners_but_other_paths_are_not_duplicates() {
         let bow_tie = line(&[
             (0.0, 0.0),
             (20.0, 20.0),
@@ -310,7 +310,7 @@ mod tests {
     }
 
     #[test]
-    fn a_part_of_a_line_is_dropped_and_the_edge_that_two_shapes_share() {
+    fn a_part_of_a_line_and_a_shared_edge_of_two_shapes_are_dropped() {
         let long = line(&[(0.0, 0.0), (40.0, 0.0)]);
         let short = line(&[(20.0, 0.01), (10.0, 0.0)]);
         assert_eq!(
@@ -327,7 +327,7 @@ mod tests {
     }
 
     #[test]
-    fn a_circle_of_other_points_is_the_same_and_lines_that_cross_are_not() {
+    fn a_circle_of_other_points_is_a_duplicate_and_crossing_lines_are_not() {
         let circle = |count: u32| {
             let at = |i: u32| f64::from(i % count) * std::f64::consts::TAU / f64::from(count);
             let points = (0..=count).map(|i| (9.0 * at(i).cos(), 9.0 * at(i).sin()));
@@ -345,7 +345,7 @@ mod tests {
     }
 
     #[test]
-    fn what_two_arcs_share_is_drawn_once_and_in_one_piece() {
+    fn the_common_part_of_two_arcs_is_drawn_once_and_in_one_piece() {
         for (radius, points) in [(5.0, 60), (50.0, 200)] {
             let arc = |from: f64, count: u32| {
                 let at = |i: u32| from + 1.5 * f64::from(i) / f64::from(count);
@@ -364,7 +364,7 @@ mod tests {
     }
 
     #[test]
-    fn of_ever_so_many_lines_over_each_other_it_is_reported_which_are_not_compared() {
+    fn lines_skipped_by_the_comparison_of_very_many_overlapping_ones_are_reported() {
         let mut random = dobot_geometry::Random::new(1);
         let strokes: Vec<Stroke> = (0..3000)
             .map(|_| {

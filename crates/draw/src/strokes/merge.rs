@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn strokes_are_reversed_where_that_makes_them_meet() {
+    fn strokes_are_reversed_if_they_meet_that_way() {
         let pieces = vec![
             line(&[(1.0, 0.0), (2.0, 0.0)]),
             line(&[(1.0, 0.0), (0.0, 0.0)]),
@@ -282,7 +282,7 @@ mod tests {
     }
 
     #[test]
-    fn what_comes_back_to_its_begin_is_closed() {
+    fn a_line_that_returns_to_its_start_is_closed() {
         let pieces = vec![
             line(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)]),
             line(&[(0.0, 0.0), (0.0, 1.0), (1.0, 1.0)]),
@@ -298,7 +298,7 @@ mod tests {
     }
 
     #[test]
-    fn at_a_crossing_lines_go_straight_on() {
+    fn at_a_crossing_lines_continue_straight_on() {
         let pieces = vec![
             line(&[(0.0, 0.0), (5.0, 0.0)]),
             line(&[(0.0, 0.0), (0.0, 5.0)]),
@@ -316,7 +316,7 @@ mod tests {
     }
 
     #[test]
-    fn dots_and_closed_strokes_stay() {
+    fn dots_and_closed_strokes_are_unchanged() {
         let mut ring = line(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 0.0)]);
         ring.closed = true;
         let strokes = vec![line(&[(0.0, 0.0)]), ring, line(&[(0.0, 0.0), (0.0, 9.0)])];

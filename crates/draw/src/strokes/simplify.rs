@@ -358,7 +358,7 @@ mod tests {
     }
 
     #[test]
-    fn where_the_arm_is_slow_a_circle_is_round() {
+    fn a_circle_is_round_where_the_arm_is_slow() {
         let wanted = circle(30.0, 5000);
         let drawn = simplify_at(&wanted, 0.05, &estimator(100.0, 20.0));
         assert!(worst_mm(&wanted, &drawn) <= 0.01);
@@ -368,7 +368,7 @@ mod tests {
     }
 
     #[test]
-    fn the_best_parts_of_two_ways_become_one() {
+    fn the_best_parts_of_two_paths_are_combined() {
         let at = |i: u32| Point::new(0.0, 0.0) + Vec2::from_angle(f64::from(i) / 500.0) * 30.0;
         let arc = Stroke::open((0..1500).map(at).collect());
         let estimator = estimator(100.0, 40.0);
@@ -422,7 +422,7 @@ mod tests {
     }
 
     #[test]
-    fn corners_that_cost_nothing_stay_where_they_are() {
+    fn corners_without_cost_are_kept() {
         let sides = [(0.0, 0.0), (9.0, 0.0), (9.0, 9.0), (0.0, 9.0), (0.0, 0.0)];
         let mut square = line(&sides);
         square.closed = true;
@@ -436,7 +436,7 @@ mod tests {
     }
 
     #[test]
-    fn repeated_points_vanish_and_a_speck_becomes_a_dot() {
+    fn repeated_points_are_removed_and_a_speck_becomes_a_dot() {
         let repeated = line(&[(0.0, 0.0), (0.0, 0.0), (4.0, 0.0), (4.0, 0.0)]);
         assert_eq!(simplify(&repeated, 0.05), line(&[(0.0, 0.0), (4.0, 0.0)]));
         let speck = line(&[(1.0, 1.0), (1.001, 1.0)]);
@@ -444,7 +444,7 @@ mod tests {
     }
 
     #[test]
-    fn chords_of_a_circle_swing_from_one_side_to_the_other() {
+    fn chords_of_a_circle_alternate_between_its_sides() {
         // A chord that deviates from a circle of radius r by e on both sides has the length 4
         // sqrt(r e).
         for (radius, count) in [(20.0_f64, 20_000), (20.0, 500), (3.0, 1000), (100.0, 3000)] {
@@ -523,7 +523,7 @@ mod tests {
         }
 
         #[test]
-        fn never_takes_more_vectors_than_the_best_choice_of_points(
+        fn never_uses_more_vectors_than_the_best_choice_of_points(
             steps in steps(),
             closed: bool,
             tolerance in 0.02..1.0_f64,

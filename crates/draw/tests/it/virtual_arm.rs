@@ -128,7 +128,7 @@ fn strokes() -> Vec<Stroke> {
 }
 
 #[test]
-fn the_estimate_is_what_the_arm_takes_and_the_pen_stays_on_the_path() {
+fn the_estimate_is_the_duration_on_the_arm_and_the_pen_stays_on_the_path() {
     for personality in Personality::ALL {
         let plan = plan(DrawingTool::default(), strokes(), personality);
         let seen = drive(
@@ -156,7 +156,7 @@ fn the_estimate_is_what_the_arm_takes_and_the_pen_stays_on_the_path() {
 }
 
 #[test]
-fn an_arm_is_where_it_should_be_behind_ten_thousand_vectors() {
+fn an_arm_is_at_its_place_after_ten_thousand_vectors() {
     // 250 waves of 40 vectors, all of different lengths.
     let wave = |n: u32| {
         let at = |i: u32| {

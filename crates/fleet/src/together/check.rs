@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_with_the_same_barriers_in_the_same_order_are_fine() {
+    fn parts_with_the_same_barriers_in_the_same_order_are_accepted() {
         let both = barriers(&["x", "y"]);
         assert_eq!(problems([&both, &both]), [""; 0]);
         let both = cycle("\"forever\"", &["x", "y"]);
@@ -171,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn two_that_wait_for_each_other_are_told_with_step_and_line() {
+    fn two_parts_that_wait_for_each_other_are_reported_with_step_and_line() {
         let found = problems([&barriers(&["x", "y"]), &barriers(&["y", "x"])]);
         assert_eq!(found.len(), 2, "{found:?}");
         let parts = [
@@ -185,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn one_that_comes_to_a_barrier_more_often_than_the_other_is_told() {
+    fn a_part_that_reaches_a_barrier_more_often_than_the_other_is_reported() {
         let found = problems([&barriers(&["x", "x", "x"]), &barriers(&["x", "x"])]);
         assert_eq!(found.len(), 1, "{found:?}");
         assert!(
@@ -198,14 +198,14 @@ mod tests {
     }
 
     #[test]
-    fn a_barrier_that_one_part_has_alone_is_told_with_those_of_the_others() {
+    fn a_barrier_of_one_part_alone_is_reported_with_those_of_the_others() {
         let found = problems([&barriers(&["handed over"]), &barriers(&["handed-over"])]);
         assert_eq!(found.len(), 2, "{found:?}");
         assert!(found[0].contains("\"handed over\"") && found[0].contains("[\"handed-over\"]"));
     }
 
     #[test]
-    fn a_part_that_burns_is_not_for_several_arms() {
+    fn a_burning_part_is_refused_in_a_program_for_several_arms() {
         let burns = "[[steps]]\nlaser = true\n[[steps]]\nlaser = false\n";
         let found = problems([burns, ""]);
         assert_eq!(found.len(), 1, "{found:?}");

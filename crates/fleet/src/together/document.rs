@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn each_arm_has_one_part_and_a_name_that_stations_have() {
+    fn each_arm_has_one_part_and_a_valid_station_name() {
         assert!(Together::from_toml(&text(&["desk-1", "desk-2"])).is_ok());
         assert!(refused(&text(&["desk-1"])).contains("1 parts; allowed are 2 to 64"));
         assert!(
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_understood_is_told_with_its_line() {
+    fn an_error_is_reported_with_its_line() {
         let unknown = format!("{}speed = 9000\n", text(&["desk-1", "desk-2"]));
         let refused = refused(&unknown);
         assert!(

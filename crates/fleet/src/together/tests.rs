@@ -74,7 +74,7 @@ fn come_through(parts: &[Vec<u8>], seed: u64) -> bool {
 
 proptest! {
     #[test]
-    fn parts_that_would_wait_for_ever_are_found_and_no_others(
+    fn all_deadlocks_are_found_and_nothing_else(
         parts in prop::collection::vec(
             (prop::collection::vec(0..3_u8, 0..4), prop::collection::vec(0..3_u8, 0..3), 1..3_u64),
             2..5,
@@ -95,7 +95,7 @@ proptest! {
     }
 
     #[test]
-    fn what_is_ahead_is_what_still_comes(
+    fn the_barriers_ahead_are_those_not_yet_passed(
         once in prop::collection::vec(0..3_u8, 0..4),
         cycle in prop::collection::vec(0..3_u8, 1..3),
         times in 1..4_u64,
@@ -113,7 +113,7 @@ proptest! {
     }
 
     #[test]
-    fn nobody_goes_past_a_barrier_early_and_all_come_through_whatever_happens(
+    fn no_part_passes_a_barrier_early_and_all_finish_despite_faults(
         parts in meetings(),
         seed: u64,
     ) {
@@ -122,7 +122,7 @@ proptest! {
     }
 
     #[test]
-    fn those_hold_that_depend_on_one_that_does_not_go_on_and_nobody_else(
+    fn parts_that_depend_on_a_paused_part_hold_and_no_others(
         parts in meetings(),
         seed: u64,
     ) {
@@ -132,14 +132,14 @@ proptest! {
 }
 
 #[test]
-fn one_that_is_not_heard_of_holds_the_others_after_three_seconds_and_not_before() {
+fn a_silent_part_holds_its_dependants_after_three_seconds_and_not_before() {
     let mut world = World::new(vec![vec![0], vec![0], vec![]], 1, Faults::None);
     world.start();
     assert_eq!(world.silent_until_held(0), [0, 1]);
 }
 
 #[test]
-fn one_that_somebody_starts_at_its_arm_is_paused_with_those_that_wait_for_it() {
+fn a_part_started_by_a_person_at_its_arm_is_paused_with_those_that_wait_for_it() {
     let mut world = World::new(vec![vec![0, 1], vec![0, 1], vec![]], 1, Faults::None);
     world.start();
     world.run_to_barrier(0);
@@ -153,7 +153,7 @@ fn one_that_somebody_starts_at_its_arm_is_paused_with_those_that_wait_for_it() {
 }
 
 #[test]
-fn a_start_that_one_station_refuses_leaves_all_where_they_wait() {
+fn a_start_refused_by_one_station_leaves_all_parts_waiting() {
     let mut world = World::new(vec![vec![0], vec![0], vec![]], 1, Faults::None);
     world.refuse_next_start(1);
     world.start();

@@ -110,7 +110,7 @@ fn five_hundred_drawings_are_done_once_each_through_two_hundred_kills_and_fifty_
 }
 
 #[test]
-fn whatever_happens_each_drawing_is_begun_by_one_arm() {
+fn each_drawing_is_started_by_one_arm_despite_faults() {
     for seed in 0..20 {
         let storm = Storm {
             seed,
@@ -140,7 +140,7 @@ fn without_the_taker() -> (World, String) {
 }
 
 #[test]
-fn what_a_station_that_is_gone_has_is_in_doubt_until_a_person_gives_it_to_another() {
+fn work_of_a_lost_station_is_in_doubt_until_a_person_reassigns_it() {
     let (mut world, id) = without_the_taker();
     world.add_desk();
     for _ in 0..100 {
@@ -167,7 +167,7 @@ fn what_a_station_that_is_gone_has_is_in_doubt_until_a_person_gives_it_to_anothe
 }
 
 #[test]
-fn what_was_given_to_another_arm_is_not_begun_by_the_first_one_when_that_comes_back() {
+fn reassigned_work_is_not_started_by_the_first_arm_when_it_returns() {
     let mut world = World::new(3, 1, 1);
     world.desks[0].has_person = false;
     world.submit(0, 1, "Anna");
@@ -194,7 +194,7 @@ fn what_was_given_to_another_arm_is_not_begun_by_the_first_one_when_that_comes_b
 }
 
 #[test]
-fn work_that_is_neither_in_doubt_nor_failed_is_given_to_no_other() {
+fn work_that_is_neither_in_doubt_nor_failed_is_not_reassigned() {
     let mut world = World::new(1, 1, 1);
     world.submit(0, 1, "Anna");
     let id = world.views()[0].id.clone();
@@ -208,7 +208,7 @@ fn work_that_is_neither_in_doubt_nor_failed_is_given_to_no_other() {
 }
 
 #[test]
-fn work_that_is_cancelled_before_it_is_begun_is_begun_by_nobody() {
+fn work_cancelled_before_its_start_is_never_started() {
     let mut world = World::new(5, 1, 1);
     world.desks[0].has_person = false;
     for number in 1..=2 {
@@ -254,7 +254,7 @@ fn a_student_with_one_drawing_does_not_wait_for_the_ten_of_another() {
 }
 
 #[test]
-fn in_the_time_of_a_student_an_arm_gets_only_his_work() {
+fn in_the_slot_of_a_student_an_arm_gets_only_that_students_work() {
     let mut world = World::new(11, 1, 1);
     world.is_time_of(0, "ANNA");
     world.submit(0, 1, "Ben");
@@ -267,7 +267,7 @@ fn in_the_time_of_a_student_an_arm_gets_only_his_work() {
 }
 
 #[test]
-fn work_that_no_station_has_the_means_for_waits_and_says_so() {
+fn work_that_no_station_can_do_waits_and_is_reported() {
     let mut world = World::new(9, 1, 2);
     let mut ticket = world::ticket(0, 1, "Anna");
     ticket.needs = vec!["laser".into()];
@@ -281,7 +281,7 @@ fn work_that_no_station_has_the_means_for_waits_and_says_so() {
 }
 
 #[test]
-fn tickets_are_there_again_after_a_kill_and_a_file_that_is_none_is_left_and_told() {
+fn tickets_survive_a_kill_and_an_invalid_file_is_kept_and_reported() {
     let folder = tempfile::tempdir().unwrap();
     let ticket = world::ticket(0, 1, "Anna");
     let offer = serde_json::json!({"by": "desk-1"});
@@ -335,7 +335,7 @@ fn fire_drill() -> StoppedBy {
 }
 
 #[test]
-fn while_the_fleet_is_stopped_nothing_is_offered_and_the_list_says_why() {
+fn while_the_fleet_is_stopped_nothing_is_offered_and_the_list_gives_the_reason() {
     let mut world = World::new(3, 1, 2);
     let text = "stopped: fleet, by Ms Weber: fire drill";
     world.homes[0].held = Some(text.into());
@@ -354,7 +354,7 @@ fn while_the_fleet_is_stopped_nothing_is_offered_and_the_list_says_why() {
 }
 
 #[test]
-fn what_was_offered_before_a_stop_is_not_offered_again_while_it_holds() {
+fn an_offer_from_before_a_stop_is_not_repeated_while_the_stop_holds() {
     for seed in 0..10 {
         let mut world = World::new(seed, 1, 1);
         // All requests of the home are lost.
@@ -377,7 +377,7 @@ fn what_was_offered_before_a_stop_is_not_offered_again_while_it_holds() {
 }
 
 #[test]
-fn a_ticket_that_was_taken_just_before_a_stop_goes_back_to_the_queue_and_is_done_after_the_reset() {
+fn a_ticket_accepted_just_before_a_stop_returns_to_the_queue_and_is_done_after_the_reset() {
     for seed in 0..10 {
         let mut world = with_one_that_starts(seed);
         // The stop arrives between taking and starting.
@@ -407,7 +407,7 @@ fn a_ticket_that_was_taken_just_before_a_stop_goes_back_to_the_queue_and_is_done
 }
 
 #[test]
-fn a_ticket_that_its_station_does_not_start_goes_to_another_one() {
+fn a_ticket_that_its_station_does_not_start_is_offered_to_another_one() {
     let mut world = with_one_that_starts(4);
     world.desks[0].can_start = false;
     world.submit(0, 1, "Anna");
@@ -419,7 +419,7 @@ fn a_ticket_that_its_station_does_not_start_goes_to_another_one() {
 }
 
 #[test]
-fn what_a_person_ends_at_the_arm_before_it_is_begun_is_not_done_elsewhere() {
+fn a_job_cancelled_at_the_arm_before_its_start_is_not_done_elsewhere() {
     let mut world = World::new(4, 1, 1);
     world.desks[0].has_person = false;
     world.submit(0, 1, "Anna");

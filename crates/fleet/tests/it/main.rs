@@ -301,7 +301,7 @@ fn dialect() -> dobot_wire::Dialect {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn each_station_judges_by_its_own_tokens() {
+async fn each_station_checks_its_own_tokens() {
     let (router, at) = router(free_port()).await;
     let [one, two] = two_desks(&at).await;
     let lease = json!({"to": "all", "method": "POST", "path": "/api/v1/lease"});
@@ -392,7 +392,7 @@ async fn time_slots_are_set_for_a_group_and_outlive_their_station() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn without_its_router_a_station_goes_on_and_finds_the_others_again() {
+async fn without_its_router_a_station_continues_and_finds_the_others_again() {
     let port = free_port();
     let at = format!("quic/127.0.0.1:{port}");
     let one = Desk::up("desk-1", &at, None).await;
@@ -423,7 +423,7 @@ async fn without_its_router_a_station_goes_on_and_finds_the_others_again() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn two_stations_of_one_name_are_told_and_both_can_be_stopped() {
+async fn two_stations_of_one_name_are_reported_and_both_can_be_stopped() {
     let (router, at) = router(free_port()).await;
     let one = Desk::up("desk-1", &at, None).await;
     let twins = [
@@ -485,7 +485,7 @@ async fn only_those_with_a_certificate_of_the_fleet_belong_to_it() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn what_is_no_request_is_answered_with_what_is_wrong_with_it() {
+async fn an_invalid_request_is_answered_with_its_error() {
     let (router, at) = router(free_port()).await;
     let one = Desk::up("desk-1", &at, None).await;
     let stranger = stranger_who_sees("desk-1", &at).await;
@@ -588,7 +588,7 @@ async fn answer_of(replies: &FifoChannelHandler<Reply>) -> Value {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_station_that_waits_for_what_the_others_tell_is_stopped_meanwhile() {
+async fn a_station_that_waits_for_reports_of_the_others_is_stopped_meanwhile() {
     let (router, at) = router(free_port()).await;
     let stranger = stranger(&at).await;
     // A station that does not answer state queries.
@@ -642,7 +642,7 @@ async fn a_large_request_that_is_not_sealed_is_refused_and_a_stop_works_after_it
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_message_that_no_station_takes_reaches_none_and_a_stop_works_after_it() {
+async fn a_message_for_an_unknown_station_reaches_none_and_a_stop_works_after_it() {
     let (router, at) = router(free_port()).await;
     let one = Desk::up("desk-1", &at, None).await;
     let stranger = stranger_who_sees("desk-1", &at).await;
@@ -662,8 +662,7 @@ async fn a_message_that_no_station_takes_reaches_none_and_a_stop_works_after_it(
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_stolen_token_that_is_removed_moves_no_arm_any_more_not_even_with_the_control_that_it_took()
- {
+async fn a_removed_stolen_token_no_longer_moves_an_arm_even_with_control_taken_before() {
     let (router, at) = router(free_port()).await;
     let [one, two] = two_desks(&at).await;
     let mut tokens = Tokens::open(&Folders::at(two.folder.path()).tokens()).unwrap();
@@ -718,7 +717,7 @@ async fn a_stolen_token_that_is_removed_moves_no_arm_any_more_not_even_with_the_
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn between_too_many_requests_a_stop_works() {
+async fn a_stop_works_during_a_flood_of_requests() {
     let (router, at) = router(free_port()).await;
     let one = Desk::up("desk-1", &at, None).await;
     let stranger = stranger_who_sees("desk-1", &at).await;
@@ -750,7 +749,7 @@ async fn between_too_many_requests_a_stop_works() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn whoever_looks_is_told_what_changes_elsewhere() {
+async fn a_watcher_is_notified_of_changes_elsewhere() {
     let (router, at) = router(free_port()).await;
     let [one, two] = two_desks(&at).await;
     two.ask("POST", "/api/v1/stop", None).await;

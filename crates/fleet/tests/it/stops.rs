@@ -124,7 +124,7 @@ fn motions(packets: &mut broadcast::Receiver<PassedPacket>) -> Vec<Command> {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_station_that_joins_late_is_stopped_with_the_others_and_all_stay_so_through_a_restart() {
+async fn a_station_that_joins_late_is_stopped_too_and_all_stay_stopped_through_a_restart() {
     let (router, at) = router(free_port()).await;
     let [one, two] = two_desks(&at).await;
     assert!(one.drill().await.is_empty());
@@ -150,7 +150,7 @@ async fn a_station_that_joins_late_is_stopped_with_the_others_and_all_stay_so_th
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_station_that_was_cut_off_is_stopped_when_it_comes_back_and_let_go_by_a_reset_likewise() {
+async fn a_disconnected_station_is_stopped_and_reset_when_it_returns() {
     let port = free_port();
     let (first, at) = router(port).await;
     let [one, two] = two_desks(&at).await;
@@ -180,7 +180,7 @@ async fn a_station_that_was_cut_off_is_stopped_when_it_comes_back_and_let_go_by_
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn an_arm_that_a_person_lets_go_moves_and_the_stop_does_not_come_back_to_it() {
+async fn an_arm_reset_by_a_person_moves_and_is_not_stopped_again_by_the_same_stop() {
     let port = free_port();
     let (first, at) = router(port).await;
     let [one, two] = two_desks(&at).await;
@@ -253,7 +253,7 @@ impl Desk {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn while_the_fleet_is_stopped_its_queue_waits_and_no_arm_that_comes_begins_anything() {
+async fn while_the_fleet_is_stopped_its_queue_waits_and_no_joining_arm_starts_anything() {
     let (router, at) = router(free_port()).await;
     let one = worker("desk-1", &at, tempfile::tempdir().unwrap()).await;
     one.is("linked", |state| state.arm.is_some()).await;
@@ -292,7 +292,7 @@ async fn while_the_fleet_is_stopped_its_queue_waits_and_no_arm_that_comes_begins
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_virtual_arm_that_is_given_while_the_fleet_is_stopped_is_stopped() {
+async fn a_virtual_arm_created_while_the_fleet_is_stopped_is_stopped() {
     let (router, at) = router(free_port()).await;
     let hall = Desk::up("desk-1", &at, None).await;
     let config = VirtualArmsConfig {

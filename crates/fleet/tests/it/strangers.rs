@@ -125,7 +125,7 @@ async fn a_member_that_answers_for_others_reads_no_token_and_its_answers_do_not_
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn where_only_somebody_else_answers_a_station_is_not_said_to_be_stopped() {
+async fn a_station_is_not_reported_as_stopped_if_only_another_member_answers() {
     let (router, at) = router(free_port()).await;
     let [one, two] = two_desks(&at).await;
     let thief = Thief::come(&at).await;
@@ -146,7 +146,7 @@ async fn where_only_somebody_else_answers_a_station_is_not_said_to_be_stopped() 
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn what_a_member_tells_in_the_name_of_another_one_is_not_shown() {
+async fn a_report_in_the_name_of_another_member_is_not_shown() {
     let (router, at) = router(free_port()).await;
     let [one, two] = two_desks(&at).await;
     let members = one.members().await;
@@ -190,11 +190,11 @@ async fn what_a_member_tells_in_the_name_of_another_one_is_not_shown() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_thousand_stations_that_are_none_keep_nobody_from_asking_and_stopping() {
+async fn a_thousand_fake_stations_prevent_no_request_and_no_stop() {
     let (router, at) = router(free_port()).await;
     let [one, two] = two_desks(&at).await;
     let stranger = stranger_who_sees("desk-2", &at).await;
-    // Among them one with the name of desk-2, signed by nobody.
+    // Among them one with the name of desk-2, without a signature.
     let fakes = (0..1000)
         .map(|number| format!("fake-{number}"))
         .chain(["desk-2".into()]);
@@ -236,7 +236,7 @@ async fn a_thousand_stations_that_are_none_keep_nobody_from_asking_and_stopping(
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn whoever_has_a_revoked_certificate_neither_sees_nor_stops_anybody() {
+async fn a_member_with_a_revoked_certificate_neither_sees_nor_stops_any_station() {
     let folder = tempfile::tempdir().unwrap();
     let at = format!("quic/127.0.0.1:{}", free_port());
     // A copy on a lost stick.
@@ -264,7 +264,7 @@ async fn whoever_has_a_revoked_certificate_neither_sees_nor_stops_anybody() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_certificate_that_is_revoked_while_all_run_counts_no_longer() {
+async fn a_certificate_revoked_while_all_run_is_no_longer_valid() {
     let folder = tempfile::tempdir().unwrap();
     let at = format!("quic/127.0.0.1:{}", free_port());
     drop(certificates(folder.path()));

@@ -164,7 +164,7 @@ fn is_at_barrier(said: &RunEvent, of: usize) -> bool {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn no_arm_goes_past_a_barrier_before_the_last_one_is_there() {
+async fn no_arm_passes_a_barrier_before_the_last_one_has_arrived() {
     let mut room = Room::open().await;
     let parts = vec![
         part("desk-1", ""),
@@ -215,7 +215,7 @@ async fn no_arm_goes_past_a_barrier_before_the_last_one_is_there() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn when_a_station_is_gone_the_others_hold_before_the_barrier() {
+async fn if_a_station_is_lost_the_others_hold_before_the_barrier() {
     let mut room = Room::open().await;
     let long = to_and_fro(400);
     let parts = vec![
@@ -239,7 +239,7 @@ async fn when_a_station_is_gone_the_others_hold_before_the_barrier() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_stop_of_the_fleet_holds_all_parts_before_the_barrier() {
+async fn a_fleet_stop_holds_all_parts_before_the_barrier() {
     let mut room = Room::open().await;
     let parts = vec![part("desk-1", ""), part("desk-2", &to_and_fro(400))];
     let mut running = Running::begin(&room.home, parts, false);
@@ -263,7 +263,7 @@ async fn a_stop_of_the_fleet_holds_all_parts_before_the_barrier() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_person_has_all_hold_and_go_on() {
+async fn a_person_pauses_and_resumes_all_parts() {
     let mut room = Room::open().await;
     let slow = to_and_fro(4);
     let parts = vec![
@@ -288,7 +288,7 @@ async fn a_person_has_all_hold_and_go_on() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn where_one_station_does_not_take_its_part_no_arm_moves() {
+async fn if_one_station_refuses_its_part_no_arm_moves() {
     let mut room = Room::open().await;
     let deep = "[[steps]]\ngo = { x = 200, y = 30, z = -200 }\n";
     let parts = [part("desk-1", ""), part("desk-2", deep)];
@@ -305,7 +305,7 @@ async fn where_one_station_does_not_take_its_part_no_arm_moves() {
 }
 
 impl Desk {
-    /// A person at the arm has done what a job waits for, and starts it.
+    /// A person at the arm has finished the requested work and starts the job.
     async fn start(&self, job: u64) {
         let (status, lease) = self.ask("POST", "/api/v1/lease", None).await;
         assert_eq!(status, 200, "{lease}");

@@ -87,7 +87,7 @@ fn is_unknown(name: &str) -> impl Fn(&[Member]) -> bool {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn whoever_has_no_arm_is_given_a_virtual_one_that_all_see_and_that_knows_the_same_tokens() {
+async fn a_person_without_an_arm_gets_a_virtual_one_with_the_same_tokens_that_all_see() {
     let (router, at) = router(free_port()).await;
     let (hall, arms) = giving(&at, 2, HOUR).await;
     let desk = Desk::up("desk-1", &at, None).await;
@@ -128,7 +128,7 @@ async fn whoever_has_no_arm_is_given_a_virtual_one_that_all_see_and_that_knows_t
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn what_is_no_name_or_taken_or_too_much_is_told_and_nothing_is_started() {
+async fn an_invalid_taken_or_excess_name_is_reported_and_nothing_is_started() {
     let (router, at) = router(free_port()).await;
     let (hall, arms) = giving(&at, 1, HOUR).await;
     let desk = Desk::up("desk-1", &at, None).await;
@@ -184,7 +184,7 @@ async fn what_is_no_name_or_taken_or_too_much_is_told_and_nothing_is_started() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn an_arm_is_given_again_while_the_last_one_of_its_name_still_ends() {
+async fn an_arm_is_created_again_while_the_last_one_of_its_name_is_still_ending() {
     let (router, at) = router(free_port()).await;
     let (hall, arms) = giving(&at, 1, HOUR).await;
     let wanted = || Some(json!({"name": "anna"}));
@@ -200,7 +200,7 @@ async fn an_arm_is_given_again_while_the_last_one_of_its_name_still_ends() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn an_arm_that_was_ended_is_not_missed_and_has_its_jobs_when_it_is_given_again() {
+async fn an_ended_arm_is_not_listed_and_has_its_jobs_when_it_is_created_again() {
     let (router, at) = router(free_port()).await;
     let (hall, arms) = giving(&at, 1, HOUR).await;
     let wanted = || Some(json!({"name": "anna"}));
@@ -228,7 +228,7 @@ async fn an_arm_that_was_ended_is_not_missed_and_has_its_jobs_when_it_is_given_a
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn an_arm_that_nobody_looks_at_ends_by_itself() {
+async fn an_arm_without_watchers_ends_by_itself() {
     let (router, at) = router(free_port()).await;
     let (hall, arms) = giving(&at, 1, Duration::from_millis(50)).await;
     let (status, _) = hall.ask("POST", ARMS, Some(json!({"name": "anna"}))).await;

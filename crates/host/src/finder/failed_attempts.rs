@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn a_port_that_was_plugged_in_again_is_tried_again() {
+    fn a_port_is_tried_again_after_it_was_plugged_in_again() {
         let mut failed_attempts = FailedAttempts::default();
         let candidates = candidates();
         failed_attempts.note(&candidates[0], &SILENT, s(10));

@@ -71,7 +71,7 @@ mod tests {
     }
 
     #[test]
-    fn one_status_in_any_pieces_is_an_arm() {
+    fn one_status_in_pieces_of_any_size_is_an_arm() {
         let mut listening = Listening::new();
         let heard: Vec<bool> = status().map(|byte| listening.handle_bytes(&[byte])).into();
         assert!(heard[41]);
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn a_packet_whose_position_does_not_agree_with_its_angles_is_no_arm() {
+    fn a_packet_whose_position_contradicts_its_angles_is_not_an_arm() {
         let mut packet = status();
         packet[1..5].copy_from_slice(&200.0_f32.to_le_bytes());
         let mut listening = Listening::new();
@@ -98,7 +98,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_status_behind_any_noise_is_heard_and_what_is_kept_is_bounded(
+        fn a_status_after_any_noise_is_found_and_the_buffer_is_bounded(
             noise in proptest::collection::vec(any::<u8>(), 0..10_000),
             cut in 1_usize..500,
         ) {

@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn a_port_that_is_not_allowed_is_told_with_what_helps() {
+    fn a_port_without_permission_is_reported_with_a_remedy() {
         let error = OpenError::NotAllowed {
             path: "/dev/ttyUSB0".into(),
             group: Some("dialout".into()),
@@ -230,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn no_port_at_all_says_so_and_names_a_few_of_those_not_tried() {
+    fn a_missing_port_is_reported_with_a_few_of_the_ports_not_tried() {
         let ports = ["a", "b", "c", "d", "e"].map(str::to_owned).into();
         let nothing = NothingFound::new(Vec::new(), ports);
         assert_eq!(
@@ -241,7 +241,7 @@ mod tests {
     }
 
     #[test]
-    fn ports_that_cannot_be_listed_are_told() {
+    fn a_failure_to_list_the_ports_is_reported() {
         let nothing = NothingFound::new(
             vec![(address(), ProbeFailure::NoStatus(NoStatus::Nothing))],
             Vec::new(),

@@ -36,7 +36,7 @@ fn port(path: &Path) -> Port {
     }
 }
 
-/// An arm behind a virtual serial port.
+/// An arm at a virtual serial port.
 fn arm(faults: &[&str]) -> (JoinHandle<()>, Port) {
     let faults: Vec<Fault> = faults
         .iter()
@@ -90,7 +90,7 @@ fn listened_to(news: &[FinderNews]) -> Vec<String> {
 }
 
 #[tokio::test]
-async fn an_arm_is_found_and_its_link_goes_on_with_nothing_lost() {
+async fn an_arm_is_found_and_its_link_continues_without_loss() {
     let (_arm, port) = arm(&[]);
     let mut finder = finder();
     let mut news = Vec::new();
@@ -129,7 +129,7 @@ async fn an_arm_that_is_reset_by_the_opening_and_silent_at_first_is_found() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_silent_port_is_told_and_nothing_was_written_to_it() {
+async fn a_silent_port_is_reported_and_nothing_is_written_to_it() {
     let pty = pty();
     let port = port(pty.path());
     let nothing = finder().find_among(&[port], |_| {}).await;
@@ -152,7 +152,7 @@ async fn a_silent_port_is_told_and_nothing_was_written_to_it() {
 
 /// In real time: a clock that runs ahead when idle would not wait for bytes in transit.
 #[tokio::test]
-async fn a_noisy_port_is_told_and_nothing_was_written_to_it() {
+async fn a_noisy_port_is_reported_and_nothing_is_written_to_it() {
     let (came, port) = noisy();
     let nothing = finder().find_among(&[port], |_| {}).await;
     let nothing = nothing.expect_err("no arm is there");
@@ -165,7 +165,7 @@ async fn a_noisy_port_is_told_and_nothing_was_written_to_it() {
 }
 
 #[tokio::test]
-async fn a_port_that_goes_away_is_told() {
+async fn a_port_that_disappears_is_reported() {
     let pty = pty();
     let port = port(pty.path());
     let unplugged = tokio::spawn(async move {
@@ -181,7 +181,7 @@ async fn a_port_that_goes_away_is_told() {
 }
 
 #[tokio::test]
-async fn a_port_that_is_not_there_or_in_use_is_passed_over_with_the_reason() {
+async fn a_port_that_is_missing_or_in_use_is_skipped_with_the_reason() {
     let taken = pty();
     let address = format!("serial:{}", text(taken.path()));
     let address = address.parse().expect("it is an address");
@@ -232,7 +232,7 @@ async fn a_port_that_was_found_silent_is_not_opened_again_for_a_minute() {
 }
 
 #[tokio::test]
-async fn an_arm_that_was_unplugged_is_found_again_before_other_ports_are_touched() {
+async fn an_unplugged_arm_is_found_again_before_other_ports_are_touched() {
     let (first_arm, port_of_arm) = arm(&[]);
     let mut finder = finder();
     let found = finder.find_among(&[port_of_arm], |_| {}).await;
@@ -270,7 +270,7 @@ async fn an_address_on_the_network_is_listened_to_like_a_port() {
 }
 
 #[tokio::test]
-async fn a_named_address_without_anybody_is_told_with_its_reason() {
+async fn a_named_address_without_a_listener_is_reported_with_its_reason() {
     let mut finder = Finder::new(Search {
         named: vec!["serial:/dev/no-such-port".parse().expect("it is one")],
         ..Search::default()

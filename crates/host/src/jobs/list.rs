@@ -86,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_job_is_put_before_another_one_or_behind_all_others() {
+    fn a_job_is_moved_before_another_one_or_to_the_end() {
         let order = |job, before| {
             let moved = moved(vec![JobId(3), JobId(5), JobId(8)], JobId(job), before);
             moved.iter().map(|id| id.0).collect::<Vec<_>>()

@@ -113,7 +113,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_heartbeat_is_a_byte_of_its_own_and_is_read_back() {
+    fn every_heartbeat_is_a_distinct_byte_and_is_read_back() {
         let kinds = [None, Some(JogKind::Joint), Some(JogKind::Linear)];
         let alive = kinds
             .into_iter()

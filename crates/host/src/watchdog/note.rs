@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     #[tokio::test]
-    async fn what_a_watchdog_leaves_is_read_once_and_its_lock_is_waited_for() {
+    async fn a_note_of_the_watchdog_is_read_once_and_its_lock_is_awaited() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("watchdog.txt");
         wait_for_watchdog(&path).await;

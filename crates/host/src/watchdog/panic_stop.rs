@@ -132,14 +132,14 @@ mod tests {
     }
 
     #[test]
-    fn a_panic_sends_its_packets_though_nobody_reads_standard_error() {
+    fn a_panic_sends_its_packets_even_if_standard_error_is_never_read() {
         if std::env::var_os(PANICS).is_some() {
             panic_with_port();
         }
         let (reader, errors) = full_pipe();
         let (_, module) = module_path!().split_once("::").unwrap();
         let name =
-            format!("{module}::a_panic_sends_its_packets_though_nobody_reads_standard_error");
+            format!("{module}::a_panic_sends_its_packets_even_if_standard_error_is_never_read");
         let mut child = Command::new(std::env::current_exe().unwrap())
             .args(["--exact", &name, "--nocapture"])
             .env(PANICS, "1")

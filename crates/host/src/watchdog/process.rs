@@ -190,7 +190,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_it_did_is_told_in_one_line() {
+    fn the_actions_of_the_watchdog_are_reported_in_one_line() {
         let hazards = Hazards {
             jog: Some(JogKind::Linear),
             burns: true,

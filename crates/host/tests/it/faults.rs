@@ -29,7 +29,7 @@ fn a_cable_may_be_pulled_in_every_phase_of_a_job() {
 }
 
 #[test]
-fn a_bad_line_never_spoils_a_drawing_silently() {
+fn a_bad_line_never_damages_a_drawing_silently() {
     for it in lines::run(12) {
         right(&it.wrong);
         assert_eq!(it.silently_wrong, 0, "{}: {:?}", it.fault, it.example);
@@ -50,7 +50,7 @@ fn an_arm_whose_client_vanishes_is_stopped() {
 }
 
 #[test]
-fn a_watchdog_brings_every_motion_to_rest_and_darkens_every_light_when_the_station_is_no_more() {
+fn a_watchdog_stops_every_motion_and_every_laser_after_its_station_is_killed() {
     for it in watchdogs::run(4) {
         right(&it.wrong);
         assert_eq!((it.unasked, it.burnt), (0, 0), "{} {}", it.fate, it.doing);
@@ -82,7 +82,7 @@ fn a_flood_overruns_neither_arm_nor_station() {
 }
 
 #[test]
-fn a_full_disk_pauses_the_job_and_it_goes_on_when_there_is_room() {
+fn a_full_disk_pauses_the_job_which_resumes_when_there_is_space() {
     let it = disks::run(24);
     right(&it.wrong);
     assert_eq!((it.lost, it.repeated), (0, 0));
@@ -90,7 +90,7 @@ fn a_full_disk_pauses_the_job_and_it_goes_on_when_there_is_room() {
 }
 
 #[test]
-fn the_arm_rests_by_when_it_was_promised_whatever_it_does() {
+fn the_arm_rests_within_the_promised_time_in_every_state() {
     for it in stops::run(30) {
         right(&it.wrong);
         assert_eq!((it.late, it.burnt), (0, 0), "{}", it.doing);
@@ -98,7 +98,7 @@ fn the_arm_rests_by_when_it_was_promised_whatever_it_does() {
 }
 
 #[test]
-fn what_an_arm_has_received_of_a_long_line_is_over_soon_whatever_ends_it() {
+fn a_long_line_in_the_arm_is_over_soon_after_any_interruption() {
     for it in long_lines::run(4) {
         right(&it.wrong);
         let what = if it.burns { "light" } else { "motion" };
@@ -107,7 +107,7 @@ fn what_an_arm_has_received_of_a_long_line_is_over_soon_whatever_ends_it() {
 }
 
 #[test]
-fn the_laser_does_not_burn_on_the_spot_whoever_sent_what_burns() {
+fn the_laser_does_not_burn_on_the_spot_for_any_sender() {
     for it in stands::run(12) {
         right(&it.wrong);
         assert_eq!(it.late, 0, "{} {}: {}", it.sender, it.link, it.stood_s);
@@ -117,14 +117,14 @@ fn the_laser_does_not_burn_on_the_spot_whoever_sent_what_burns() {
 }
 
 #[test]
-fn an_arm_is_never_lost_whatever_it_is_asked() {
+fn no_request_can_make_the_arm_lose_its_pose() {
     let it = fuzz::run(0, 200);
     right(&it.wrong);
     assert!(it.taken > it.requests / 5 && it.packets > 10_000, "{it:?}");
 }
 
 #[test]
-fn whatever_goes_wrong_one_after_the_other_the_arm_rests_dark_and_nothing_false_was_said() {
+fn after_any_sequence_of_faults_the_arm_rests_with_the_laser_off_and_all_reports_were_true() {
     let it = sessions::run(60);
     right(&it.wrong);
     assert!(it.times == 60 && it.incidents > 100, "{it:?}");

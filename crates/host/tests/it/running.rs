@@ -8,7 +8,7 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio_tungstenite::tungstenite::Message;
 use tokio_tungstenite::{WebSocketStream, accept_async};
 
-/// A station that sends what a test wants.
+/// A station that sends the packets of a test.
 struct Fake(WebSocketStream<TcpStream>);
 
 impl Fake {
@@ -45,7 +45,7 @@ fn notice(number: u64, news: &Value, text: &str) -> Value {
 }
 
 #[tokio::test]
-async fn a_command_is_over_when_its_own_notice_comes() {
+async fn a_command_is_over_when_its_own_notice_arrives() {
     let (mut remote, mut fake) = pair().await;
     let done = |command| json!({"type": "command_done", "command": command});
     let failed = json!({"type": "command_failed", "command": 8});

@@ -213,7 +213,7 @@ mod tests {
         }
 
         #[test]
-        fn what_has_no_codes_stays(text in "[a-zA-Z0-9 äöü.,:+-]{0,30}") {
+        fn text_without_codes_is_unchanged(text in "[a-zA-Z0-9 äöü.,:+-]{0,30}") {
             prop_assert_eq!(&line(&text).text, &text);
             prop_assert_eq!(&lines(&text).text, &text);
         }

@@ -184,7 +184,7 @@ mod tests {
     }
 
     #[test]
-    fn points_on_a_circle_become_one_with_the_slopes_of_its_ends_or_closed() {
+    fn points_on_a_circle_become_a_circle_if_its_end_slopes_are_given_or_it_is_closed() {
         let half = on_circle(8, 0.5);
         let ends = Ends {
             first: Some(Vec2::new(0.0, 1.0)),

@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn dashes_and_gaps_take_turns_wherever_the_type_begins() {
+    fn dashes_and_gaps_take_turns_from_any_start_of_the_type() {
         let of = |elements: &[f64]| {
             LineType::of(elements).map(|line_type| (line_type.lengths, line_type.offset))
         };

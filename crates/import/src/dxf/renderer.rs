@@ -102,29 +102,29 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         parts: &[Span<'a>],
         copy: Copy<'_>,
     ) -> Result<bool, SourceError> {
-        let it = Entity::read(self.file.text, span)?;
-        let own = it.find(8).map_or_else(|| "0".into(), Pair::text);
+        let entity = Entity::read(self.file.text, span)?;
+        let own = entity.find(8).map_or_else(|| "0".into(), Pair::text);
         let layer = if own == "0" {
             copy.layer
         } else {
             self.file.layers.own_name(&own)
         };
-        if self.is_hidden(&it, layer)? {
+        if self.is_hidden(&entity, layer)? {
             return Ok(false);
         }
-        let line_type = self.line_type_name(&it, layer, copy.line_type);
+        let line_type = self.line_type_name(&entity, layer, copy.line_type);
         let copy = Copy {
             layer,
             line_type: &line_type,
             ..copy
         };
-        match it.kind {
-            b"INSERT" => self.insert(&it, parts, copy),
-            b"ACAD_TABLE" => self.table(&it, copy),
+        match entity.kind {
+            b"INSERT" => self.insert(&entity, parts, copy),
+            b"ACAD_TABLE" => self.table(&entity, copy),
             b"DIMENSION" | b"ARC_DIMENSION" | b"LARGE_RADIAL_DIMENSION" => {
-                self.dimension(&it, copy)
+                self.dimension(&entity, copy)
             }
-            _ => self.lines(&it, parts, copy),
+            _ => self.lines(&entity, parts, copy),
         }?;
         Ok(true)
     }

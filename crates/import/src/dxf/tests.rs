@@ -74,7 +74,7 @@ fn more_objects_and_groups_than_fit_are_refused_with_their_place() {
 }
 
 #[test]
-fn a_text_that_nobody_reads_is_refused() {
+fn an_overlong_text_is_refused() {
     for kind in ["TEXT", "MTEXT"] {
         let text = file(
             "",
@@ -88,7 +88,7 @@ fn a_text_that_nobody_reads_is_refused() {
 }
 
 #[test]
-fn the_last_of_the_groups_of_a_layer_count_and_so_many_layers_are_refused() {
+fn the_last_groups_of_a_layer_apply_and_too_many_layers_are_refused() {
     let layers = |count: usize| {
         let names: Vec<String> = (0..count)
             .map(|i| format!("0 LAYER 2 {i} 62 1 62 5"))
@@ -106,7 +106,7 @@ fn the_last_of_the_groups_of_a_layer_count_and_so_many_layers_are_refused() {
 }
 
 #[test]
-fn many_entities_without_a_name_are_passed_at_once() {
+fn many_entities_without_a_name_are_skipped_at_once() {
     let text = file("", "", "0 CIRCLE 10 0 20 0 40 9");
     let nameless = "0\n\n".repeat(300_000);
     let text = text.replace("0\nCIRCLE", &(nameless + "0\nCIRCLE"));
@@ -114,7 +114,7 @@ fn many_entities_without_a_name_are_passed_at_once() {
 }
 
 #[test]
-fn a_circle_that_leads_too_far_on_one_side_is_refused() {
+fn a_circle_that_extends_too_far_on_one_side_is_refused() {
     for far in ["10 -900000 20 0", "10 900000 20 0", "10 0 20 900000"] {
         let text = file("", "", &format!("0 CIRCLE {far} 40 900000"));
         let error = error(text.as_bytes());
@@ -126,7 +126,7 @@ fn a_circle_that_leads_too_far_on_one_side_is_refused() {
 }
 
 #[test]
-fn a_drawing_far_from_its_origin_is_drawn_where_it_is() {
+fn a_drawing_far_from_its_origin_is_drawn_in_place() {
     let entities = |x: f64, y: f64| {
         format!(
             "0 LINE 10 {x} 20 {y} 11 {} 21 {} 0 CIRCLE 10 {x} 20 {y} 40 0.25
@@ -148,7 +148,7 @@ fn a_drawing_far_from_its_origin_is_drawn_where_it_is() {
 }
 
 #[test]
-fn what_lies_far_from_the_drawing_is_refused_with_both_places() {
+fn an_object_far_from_the_drawing_is_refused_with_both_places() {
     let text = file(
         "",
         "",
@@ -159,7 +159,7 @@ fn what_lies_far_from_the_drawing_is_refused_with_both_places() {
 }
 
 #[test]
-fn lines_and_polylines_lie_upright() {
+fn lines_and_polylines_are_upright() {
     let triangle = [[(0.0, 20.0), (10.0, 20.0), (10.0, 0.0), (0.0, 20.0)]];
     for entities in [
         "0 LWPOLYLINE 8 0 90 3 70 1 10 5 20 5 10 15 20 5 10 15 20 25",
@@ -182,7 +182,7 @@ fn lines_and_polylines_lie_upright() {
 }
 
 #[test]
-fn the_unit_of_the_file_counts() {
+fn the_unit_of_the_file_applies() {
     let line = "0 SECTION 2 ENTITIES 0 LINE 10 0 20 0 11 1 21 0 0 ENDSEC 0 EOF";
     for (unit, wanted, has_warning) in [
         ("9 $INSUNITS 70 1", 25.4, false),
@@ -215,7 +215,7 @@ fn on_circle(artwork: &Artwork, radius: f64) -> (f64, f64) {
 }
 
 #[test]
-fn circles_stay_within_the_tolerance_however_they_are_written() {
+fn circles_stay_within_the_tolerance_in_any_notation() {
     // A circle of nine control points, of which every second weighs the cosine of 45 degrees.
     let spline = "0 SPLINE 70 11 71 2 72 12 73 9
         40 0 40 0 40 0 40 1 40 1 40 2 40 2 40 3 40 3 40 4 40 4 40 4
@@ -252,7 +252,7 @@ fn arcs_and_ellipses_turn_counterclockwise() {
 }
 
 #[test]
-fn an_ellipse_whose_axis_has_no_y_lies_level() {
+fn an_ellipse_whose_axis_has_no_y_is_level() {
     let (artwork, warnings) = draw("0 ELLIPSE 10 5 20 5 11 20 40 0.5");
     let size = [artwork.width_mm, artwork.height_mm].map(f64::round);
     assert_eq!((size, warnings.len()), ([40.0, 20.0], 0));
@@ -272,7 +272,7 @@ fn splines_follow_their_control_points() {
 }
 
 #[test]
-fn what_lies_in_the_world_needs_no_turning_however_its_extrusion_is_tilted() {
+fn objects_in_world_coordinates_are_not_turned_for_any_extrusion() {
     for (entities, wanted) in [
         ("0 LINE 10 0 20 0 11 9 21 4", vec![(0.0, 4.0), (9.0, 0.0)]),
         ("0 LEADER 10 0 20 0 10 9 20 4", vec![(0.0, 4.0), (9.0, 0.0)]),
@@ -306,7 +306,7 @@ fn what_lies_in_the_world_needs_no_turning_however_its_extrusion_is_tilted() {
 }
 
 #[test]
-fn a_tilted_ellipse_is_as_flat_as_it_is_seen_from_above() {
+fn a_tilted_ellipse_is_as_flat_as_seen_from_above() {
     // A circle that is lifted by 60 degrees about the X axis.
     let tilted = "0 ELLIPSE 10 0 20 0 11 10 21 0 31 0 40 1 210 0 220 -0.8660254 230 0.5";
     let (artwork, warnings) = draw(tilted);
@@ -474,7 +474,7 @@ fn blocks_are_drawn_where_they_are_inserted() {
 }
 
 #[test]
-fn what_lies_on_layers_that_never_plot_is_left_out_with_a_warning() {
+fn objects_on_layers_that_never_plot_are_skipped_with_a_warning() {
     let tables = "0 TABLE 2 LAYER 0 LAYER 2 help 70 0 62 7 290 0 0 LAYER 2 ink 70 0 62 7 290 1
         0 LAYER 2 Defpoints 70 0 62 7 290 1 0 ENDTAB";
     let entities = "0 LINE 8 ink 10 0 20 0 11 9 21 0 0 LINE 8 Help 10 0 20 9 11 9 21 9
@@ -489,7 +489,7 @@ fn what_lies_on_layers_that_never_plot_is_left_out_with_a_warning() {
 }
 
 #[test]
-fn a_block_on_a_layer_that_is_off_shows_what_lies_on_other_layers() {
+fn a_block_on_a_hidden_layer_shows_its_parts_on_other_layers() {
     let tables = "0 TABLE 2 LAYER 0 LAYER 2 off 70 0 62 -7 0 LAYER 2 ice 70 1 62 7
         0 LAYER 2 help 62 7 290 0 0 LAYER 2 ink 70 0 62 7 0 ENDTAB";
     let blocks = "0 BLOCK 2 in 10 0 20 0 0 LINE 8 0 10 0 20 0 11 5 21 0
@@ -546,7 +546,7 @@ fn names_of_layers_and_blocks_are_the_same_in_capitals() {
 }
 
 #[test]
-fn a_block_that_is_missing_is_left_out_with_a_warning() {
+fn a_missing_block_is_skipped_with_a_warning() {
     let (artwork, warnings) =
         draw("0 LINE 10 0 20 0 11 9 21 0 0 INSERT 2 foo 10 0 20 0 0 INSERT 2 bar 10 5 20 5");
     assert_eq!(corners(&artwork), [[(0.0, 0.0), (9.0, 0.0)]]);
@@ -624,7 +624,7 @@ fn a_hatch_may_be_bounded_by_arcs_and_lines() {
 }
 
 #[test]
-fn what_is_left_out_is_named_with_its_count() {
+fn skipped_entities_are_named_with_their_count() {
     let entities = "0 LINE 10 0 20 0 11 1 21 0 0 3DSOLID 1 x
         0 TEXT 10 0 20 0 40 1 1 %%u漢 0 MTEXT 10 0 20 0 40 1 1 \\H2;b字
         0 TEXT 10 0 20 0 40 0 1 a 0 MTEXT 10 0 20 0 40 -1 1 a 0 TEXT 72 5 10 0 20 0 11 0 21 0 40 1 1 a
@@ -654,7 +654,7 @@ fn what_is_left_out_is_named_with_its_count() {
 }
 
 #[test]
-fn what_cannot_be_drawn_is_refused_with_its_place() {
+fn an_undrawable_entity_is_refused_with_its_place() {
     let in_text = |entities: &str| file("", "", entities);
     for (text, expected) in [
         (
@@ -733,7 +733,7 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
 }
 
 #[test]
-fn blocks_in_blocks_end_somewhere() {
+fn recursive_blocks_are_refused() {
     let itself = file(
         "",
         "0 BLOCK 2 a 0 INSERT 2 a 10 0 20 0 0 ENDBLK",
@@ -844,7 +844,7 @@ fn lines_may_end_as_on_old_macs() {
 }
 
 #[test]
-fn a_file_cut_anywhere_is_refused() {
+fn a_truncated_file_is_refused() {
     let text = file(
         "",
         "0 BLOCK 2 a 0 POINT 10 0 20 0 0 ENDBLK",
@@ -857,7 +857,7 @@ fn a_file_cut_anywhere_is_refused() {
 
 proptest! {
     #[test]
-    fn lines_come_back_as_they_were_written(lines in prop::collection::vec(prop::collection::vec((-1e3..1e3, -1e3..1e3), 2..9), 1..9)) {
+    fn lines_are_read_as_they_were_written(lines in prop::collection::vec(prop::collection::vec((-1e3..1e3, -1e3..1e3), 2..9), 1..9)) {
         let mut entities = String::new();
         for line in &lines {
             entities += "0 LWPOLYLINE ";
@@ -888,7 +888,7 @@ proptest! {
 }
 
 #[test]
-fn lines_have_the_dashes_of_their_type_as_large_as_the_file_says() {
+fn lines_have_the_dashes_of_their_type_in_the_size_given_by_the_file() {
     let types = "0 LTYPE 2 Dashed 70 0 73 2 40 3 49 2 49 -1 0 LTYPE 2 CONTINUOUS 70 0 73 0 40 0
         0 LTYPE 2 DOTS 73 2 49 0 49 -2 0 LAYER 2 hidden 70 0 62 7 6 DASHED";
     let line = "0 LINE 10 0 20 0 11 10 21 0";

@@ -38,10 +38,10 @@ impl<'a> EntityRenderer<'_, 'a> {
         dictionary: &Pair<'a>,
         name: &[u8],
     ) -> Result<Option<Pair<'a>>, SourceError> {
-        let Some(it) = self.object(dictionary)? else {
+        let Some(object) = self.object(dictionary)? else {
             return Ok(None);
         };
-        let mut entries = it.pairs.iter();
+        let mut entries = object.pairs.iter();
         entries.find(|entry| entry.is(3, name));
         Ok(entries
             .find(|entry| matches!(entry.code, 350 | 360))

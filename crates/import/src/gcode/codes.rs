@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn plain_codes_stand_in_their_order_so_that_each_is_found() {
+    fn plain_codes_are_sorted_so_that_each_is_found() {
         assert!(PLAIN_G.is_sorted());
         assert!(PLAIN_G.iter().all(|&code| g(code) == Meaning::Plain));
     }

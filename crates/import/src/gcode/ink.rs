@@ -91,20 +91,20 @@ impl<'s, 'a> Inker<'s, 'a> {
             let instead = "burned faster instead, because this laser is only on or off";
             self.sketch.warn(first.at, "weaker layer", instead);
         }
-        if let Some(it) = too_strong {
+        if let Some(layer) = too_strong {
             let InkRule::Laser { full, .. } = self.rule else {
                 return Ok(());
             };
-            let percent = 100.0 * it.share;
-            let times = it
+            let percent = 100.0 * layer.share;
+            let times = layer
                 .speed_mm_s
-                .map_or(1.0 / it.share, |mm_s| mm_s / FASTEST_MM_S);
+                .map_or(1.0 / layer.share, |mm_s| mm_s / FASTEST_MM_S);
             let instead = format!(
                 "S{} is {percent:.3} % of full power ({full}), and the arm is too slow for that: it burns {times:.1} times as much; omit the layer with what.only",
-                it.share * full
+                layer.share * full
             );
             self.sketch
-                .warn(it.at, "layer burned too strongly", &instead);
+                .warn(layer.at, "layer burned too strongly", &instead);
         }
         Ok(())
     }

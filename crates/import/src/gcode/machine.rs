@@ -183,8 +183,8 @@ impl<'a, 'w> Machine<'a, 'w> {
         self.set_tool(block);
         if self.drills(block) {
             self.drill(block, hand_on)?;
-        } else if let Some(it) = self.motion(block)? {
-            hand_on(&it)?;
+        } else if let Some(motion) = self.motion(block)? {
+            hand_on(&motion)?;
         }
         self.has_ended = [20, 300, 990].into_iter().any(|value| block.m.has(value));
         Ok(())

@@ -13,7 +13,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::artwork::Layer;
 
-/// What a laser burns.
+/// The lines that a laser burns.
 fn draw(text: &str) -> (Artwork, Vec<String>) {
     draw_with(text, &ReadOptions::default())
 }
@@ -115,14 +115,14 @@ fn each_power_and_speed_of_a_laser_is_a_layer_and_low_power_is_reported() {
 }
 
 #[test]
-fn what_only_a_laser_burns_otherwise_is_not_reported_of_a_pen() {
+fn laser_warnings_are_not_given_for_a_pen() {
     let text = "; Cut @ 600 mm/min, 20% power\nM4\nG0 X1 Y1\nG1 X9 S200 F600\nM5\n";
     assert_eq!(draw_by_pen(text).1, <[&str; 0]>::default());
     assert_eq!(draw(text).1.len(), 1);
 }
 
 #[test]
-fn numbers_with_an_exponent_are_read_and_an_extruder_behind_a_number_stays_one() {
+fn numbers_with_an_exponent_are_read_and_an_extruder_after_a_number_is_recognised() {
     let (artwork, warnings) = draw("M3 S1\nG1 X1e1 Y5E+01 F100\nG1 X1e-05");
     assert_eq!([artwork.width_mm, artwork.height_mm], [10.0, 50.0]);
     assert_eq!(warnings, Vec::<String>::new());
@@ -139,7 +139,7 @@ fn numbers_with_an_exponent_are_read_and_an_extruder_behind_a_number_stays_one()
 }
 
 #[test]
-fn power_that_the_file_states_in_percent_is_burned_as_fast_as_the_arm_can() {
+fn power_in_percent_is_burned_as_fast_as_the_arm_can() {
     let job = |percent: u32, s: u32| {
         format!(
             "; LightBurn 1.4\n; GRBL device profile\nG21\nM4\n; Line @ 600 mm/min, {percent}% power\nG0 X1 Y1\n; Layer C00\nG1 X9 S{s} F600\nG1 Y9\nM5\n"
@@ -173,7 +173,7 @@ fn a_laser_that_waits_burns_a_dot() {
 }
 
 #[test]
-fn a_pen_that_waits_to_come_down_leaves_no_dot_before_its_stroke() {
+fn a_dwell_before_the_pen_comes_down_leaves_no_dot_before_its_stroke() {
     let text =
         "G0 X1 Y1\nM3 S90\nG4 P0.2\nG1 X5 F1000\nM5\nG4 P0.2\nG0 X7\nM3 S90\nG4 P0.2\nG1 X9\nM5";
     assert_eq!(
@@ -190,7 +190,7 @@ fn a_pen_that_waits_to_come_down_leaves_no_dot_before_its_stroke() {
 }
 
 #[test]
-fn a_pen_draws_below_zero_and_dots_where_it_only_dips() {
+fn a_pen_draws_below_zero_and_leaves_dots_where_it_only_dips() {
     let text =
         "G0 Z5\nG0 X10 Y0\nG1 Z-0.1 F100\nG1 X20 F600\nG0 Z5\nG0 X15 Y5\nG1 Z-0.1\nG0 Z5\nG0 X0 Y0";
     let (artwork, warnings) = draw_by_pen(text);
@@ -221,7 +221,7 @@ fn a_pen_that_never_goes_below_zero_draws_below_its_travels() {
 }
 
 #[test]
-fn upright_arcs_are_lines_as_far_as_they_go() {
+fn upright_arcs_are_lines_of_their_full_extent() {
     let lead_in = "G0 X-1 Y0\nZ5\nG1 Z-1\nG18 G2 X0 Z-2 I1\nG1 X5\nG17 G3 X10 Y5 J5\nG0 Z5";
     let strokes = corners(lead_in);
     assert_eq!(strokes.len(), 1);
@@ -245,7 +245,7 @@ fn upright_arcs_are_lines_as_far_as_they_go() {
         corners(there_and_back),
         [[(0.0, 4.0), (0.0, 0.0), (0.0, 4.0)]]
     );
-    // Without an arc the plane says nothing.
+    // Without an arc the plane has no effect.
     assert_eq!(corners("G18 M3 S1\nG1 X10\nG17\nG1 Y10").len(), 1);
 }
 
@@ -268,7 +268,7 @@ fn drilled_holes_are_dots_where_z_lifts_the_pen() {
 }
 
 #[test]
-fn what_asks_grbl_is_left_out_and_comments_hold_comments() {
+fn queries_to_grbl_are_skipped_and_comments_may_contain_comments() {
     let text = "$I\n? ; status\n!\n~ (go on)\nG1 X5 (a (nested) one) Y5\nG1 X9 (a ( bracket)";
     let (artwork, warnings) = draw(text);
     assert_eq!([artwork.width_mm, artwork.height_mm], [9.0, 5.0]);
@@ -279,7 +279,7 @@ fn what_asks_grbl_is_left_out_and_comments_hold_comments() {
 }
 
 #[test]
-fn a_pen_that_waits_while_it_is_up_leaves_no_dot() {
+fn a_dwell_while_the_pen_is_up_leaves_no_dot() {
     let text = "M3S40\nG4 P0.2\nG0X10Y10\nM3S90\nG4 P0.2\nG1X50Y10F1000\nG1X50Y50\nM3S40\nG4 P0.2\nG0X0Y0\nM5";
     let (artwork, warnings) = draw(text);
     assert_eq!(corners(text).len(), 1);
@@ -288,13 +288,13 @@ fn a_pen_that_waits_while_it_is_up_leaves_no_dot() {
 }
 
 #[test]
-fn the_focus_of_a_laser_is_no_pen() {
+fn a_focus_move_of_a_laser_is_not_a_pen() {
     let text = "M3 S0\nG0 Z0\nG0 X1\nG1 X4 S9\nG0 Z-1\nG0 X1 S0\nG1 X4 S9\nM5";
     assert_eq!(corners(text).len(), 2);
 }
 
 #[test]
-fn a_file_without_pen_or_laser_draws_with_g1_and_says_so() {
+fn a_file_without_pen_or_laser_draws_with_g1_and_reports_it() {
     let text = "G0 X1 Y1\nG1 X2\nX3\nG0 X0";
     assert_eq!(corners(text), [[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0)]]);
     let (_, warnings) = draw(text);
@@ -305,7 +305,7 @@ fn a_file_without_pen_or_laser_draws_with_g1_and_says_so() {
 }
 
 #[test]
-fn a_pen_that_begins_where_it_stands_is_one() {
+fn a_pen_that_starts_at_its_place_is_recognised() {
     for text in [
         "G0 Z5\nG0 X0 Y0\nG1 Z-1\nG1 X10\nG0 Z5",
         "G0 Z5\nG1 Z-1\nG1 X10 Y0\nG1 Z5",
@@ -317,7 +317,7 @@ fn a_pen_that_begins_where_it_stands_is_one() {
 }
 
 #[test]
-fn a_pen_that_came_down_draws_whatever_moves_it_until_it_is_lifted() {
+fn a_lowered_pen_draws_with_every_motion_until_it_is_lifted() {
     let wanted = [[(0.0, 0.0), (10.0, 0.0), (20.0, 0.0)]];
     for text in [
         "G21 G90\nG0 Z5\nG0 X0 Y0\nG1 Z-1\nG1 X10\nG0 X20\nG0 Z5",
@@ -329,7 +329,7 @@ fn a_pen_that_came_down_draws_whatever_moves_it_until_it_is_lifted() {
 }
 
 #[test]
-fn a_laser_that_begins_where_it_stands_is_no_pen_although_it_is_lifted_in_the_end() {
+fn a_laser_that_starts_at_its_place_is_not_a_pen_even_if_it_is_lifted_at_the_end() {
     for text in [
         "G0 Z0\nM3 S255\nG1 X10\nM5\nG0 Z10",
         "G0 Z5\nG0 Z0\nM3 S255\nG1 X10\nM5",
@@ -368,7 +368,7 @@ fn y_points_up_in_the_file_and_down_on_the_page() {
 }
 
 #[test]
-fn inches_relative_ways_and_moved_origins_are_millimetres() {
+fn inches_relative_moves_and_shifted_origins_become_millimetres() {
     let same = [
         "G1 X25.4\nY12.7\nX0\nY0",
         "G20\nG1 X1\nY.5\nX0\nY0",
@@ -401,7 +401,7 @@ fn speeds_in_inches_are_reported_in_millimetres_per_second() {
 }
 
 #[test]
-fn circles_stay_within_the_tolerance_however_they_are_written() {
+fn circles_stay_within_the_tolerance_in_any_notation() {
     let circles = [
         "G0 X20 Y10\nG2 I-10",
         "G0 X20 Y10\nG3 X20 Y10 I-10 J0",
@@ -424,7 +424,7 @@ fn circles_stay_within_the_tolerance_however_they_are_written() {
 }
 
 #[test]
-fn arcs_turn_the_way_they_say() {
+fn arcs_turn_in_the_given_direction() {
     // A quarter from the right to the top: short counterclockwise, three quarters clockwise.
     let length = |text: &str| layers(text)[0].strokes[0].length_mm();
     let quarter = 10.0 * TAU / 4.0;
@@ -444,7 +444,7 @@ fn arcs_turn_the_way_they_say() {
 }
 
 #[test]
-fn what_is_left_out_is_named_with_its_place_and_count() {
+fn skipped_codes_are_named_with_their_place_and_count() {
     let text = "M117 Hello (world\n$H\nG54\nM999\nG1 X1 E5\nM999\nG55\nG1 X2 E6\nG93\nG28\nG53 G0 Z0\nM30\nG1 X9\n";
     let (_, warnings) = draw(text);
     assert_eq!(
@@ -465,7 +465,7 @@ fn what_is_left_out_is_named_with_its_place_and_count() {
 }
 
 #[test]
-fn words_of_other_codes_are_no_moves_no_tools_and_no_speeds() {
+fn words_of_other_codes_are_not_moves_tools_or_speeds() {
     let other_codes = "M205 X80 Y80 Z0.2\nM204 P1000 R1000 T1000\nM73 P10 R5\nM201 X500 E5000\nM203 X1 F9\nM84 X Y\nM18 X0";
     let text =
         format!("G0 Z5\nG0 X0 Y0\nG1 Z-1\nG1 X10 F600\n{other_codes}\nG1 X10 Y10\nG0 Z5\nG0 X0\n");
@@ -494,7 +494,7 @@ fn words_of_other_codes_are_no_moves_no_tools_and_no_speeds() {
 }
 
 #[test]
-fn programs_have_numbers_and_an_end_and_lasers_that_are_switched_with_the_moves() {
+fn programs_have_numbers_and_an_end_and_lasers_may_be_switched_in_moves() {
     let text = "%\nO1234 (a part)\nM3 I\nG0 X0 Y0\nG1 X10 S9 F600\nM5 I\nM99\n%";
     assert_eq!(corners(text), [[(0.0, 0.0), (10.0, 0.0)]]);
     assert_eq!(corners(&text.replace("O1234 (a part)", ":1000")).len(), 1);
@@ -502,7 +502,7 @@ fn programs_have_numbers_and_an_end_and_lasers_that_are_switched_with_the_moves(
 
 #[test]
 #[expect(clippy::too_many_lines, reason = "a table")]
-fn what_would_draw_something_else_is_refused_with_its_place() {
+fn codes_that_would_draw_something_else_are_refused_with_their_place() {
     let word = "expected a word such as G1 or X-2.5 (variables, formulas and subroutines are not supported; expand them in the program that made the file)";
     for (text, expected) in [
         (
@@ -632,7 +632,7 @@ fn an_upright_arc_without_a_center_and_a_drilling_cycle_without_a_depth_are_refu
 }
 
 #[test]
-fn what_would_fill_the_memory_is_refused() {
+fn files_that_would_fill_the_memory_are_refused() {
     let many = "G91\n".to_owned() + &"G2 I400000\n".repeat(1000);
     assert_eq!(
         error(&many),
@@ -674,7 +674,7 @@ fn strokes() -> impl Strategy<Value = Vec<Vec<(i32, i32)>>> {
 
 proptest! {
     #[test]
-    fn strokes_come_back_as_they_were_written(strokes in strokes()) {
+    fn strokes_are_read_as_they_were_written(strokes in strokes()) {
         let (artwork, _) = draw(&written(&strokes));
         let all = || strokes.iter().flatten();
         let left = all().map(|item| item.0).min().unwrap();
@@ -704,7 +704,7 @@ proptest! {
 }
 
 #[test]
-fn an_arc_whose_far_side_lies_too_far_is_refused() {
+fn an_arc_that_extends_too_far_on_its_far_side_is_refused() {
     for center in ["I-900000", "I900000", "J-900000", "J900000"] {
         let message = error(&format!("M3 S9\nG3 {center} F9"));
         assert!(message.starts_with("2:1: leads to ("), "{message}");
@@ -716,7 +716,7 @@ fn an_arc_whose_far_side_lies_too_far_is_refused() {
 }
 
 #[test]
-fn a_file_cut_anywhere_gives_less_or_an_error() {
+fn a_truncated_file_gives_less_or_an_error() {
     let text = "(made by hand)\nG21 G90\nM4 S0\nG0 X10 Y10\nG1 X20 S500 F1200\nG3 X10 Y20 I-10\nM5\nG0 X0 Y0\n%";
     let whole = layers(text)[0].strokes[0].length_mm();
     for end in 0..text.len() {

@@ -90,11 +90,11 @@ impl Characters {
         let size_mm = match self.size {
             Size::Default => DEFAULT_CM * MM_PER_CM,
             Size::Absolute(cm) => cm * MM_PER_CM,
-            Size::Relative(it) => percent(it) * UNIT_MM,
+            Size::Relative(share) => percent(share) * UNIT_MM,
         };
         let way = match self.direction {
             Direction::Absolute(way) => way,
-            Direction::Relative(it) => percent(it),
+            Direction::Relative(share) => percent(share),
         };
         let right = transform.turned(way * (1.0 / way.length()));
         let units = [right, right.turn_90()];

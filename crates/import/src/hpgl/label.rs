@@ -283,12 +283,13 @@ impl Cursor {
 
 /// The width of a line, in cells.
 fn columns(line: &str) -> f64 {
-    line.chars().fold(0.0, |columns: f64, it| match it {
-        '\u{8}' => (columns - 1.0).max(0.0),
-        '\t' => columns + TAB,
-        it if it.is_control() => columns,
-        _ => columns + 1.0,
-    })
+    line.chars()
+        .fold(0.0, |columns: f64, character| match character {
+            '\u{8}' => (columns - 1.0).max(0.0),
+            '\t' => columns + TAB,
+            character if character.is_control() => columns,
+            _ => columns + 1.0,
+        })
 }
 
 /// Decodes UTF-8 if valid, else Roman-8, the encoding of plotters.

@@ -82,7 +82,7 @@ fn corners_in_percent_need_a_sheet_unless_they_only_shift_the_scale() {
 }
 
 #[test]
-fn a_square_is_the_same_however_it_is_written() {
+fn a_square_is_the_same_in_any_notation() {
     for text in [
         "PA0,0;PD;PA40,0;PA40,40;PA0,40;PA0,0;PU;",
         "pu0 0pd40 0 40 40 0 40 0 0pu",
@@ -126,7 +126,7 @@ fn scaled_units_are_stretched_into_their_corners() {
 }
 
 #[test]
-fn a_turned_plot_lies_counterclockwise() {
+fn a_turned_plot_is_rotated_counterclockwise() {
     assert_eq!(
         corners("RO90;PD400,0,400,40"),
         [[(1.0, 10.0), (1.0, 0.0), (0.0, 0.0)]]
@@ -156,7 +156,7 @@ fn each_pen_is_a_layer_with_its_speed() {
 }
 
 #[test]
-fn pens_have_the_colours_that_they_are_given_and_pen_0_draws_with_one() {
+fn pens_have_the_colours_assigned_to_them_and_pen_0_draws_with_one() {
     let (artwork, warnings) = draw(
         "IN;PC1,255,0,0;PC0,128,128,128;SP1;PD40,0;PU;SP0;PD40,40;PU;PC0,255,255,255;SP0;PD0,0;",
     );
@@ -220,7 +220,7 @@ fn circles_arcs_and_wedges_stay_within_the_tolerance() {
 
 /// The polygons that old programs draw as circles of few chords.
 #[test]
-fn arcs_have_the_chords_that_they_state() {
+fn arcs_have_the_requested_chords() {
     let corners = |text: &str| -> Vec<[f64; 2]> {
         let points = strokes(text)[0].points.clone();
         points.iter().map(|p| [p.x, p.y]).collect()
@@ -260,7 +260,7 @@ fn arcs_have_the_chords_that_they_state() {
 }
 
 #[test]
-fn a_chord_angle_that_no_plotter_has_is_taken_for_the_nearest_that_it_has() {
+fn an_unsupported_chord_angle_becomes_the_nearest_supported_one() {
     let corners = |text: &str| strokes(text)[0].points.len();
     // To the other side and back.
     assert_eq!(corners("CI400,180"), 3);
@@ -275,7 +275,7 @@ fn a_chord_angle_that_no_plotter_has_is_taken_for_the_nearest_that_it_has() {
 }
 
 #[test]
-fn chords_that_are_reported_by_how_far_they_leave_the_arc_leave_it_as_far() {
+fn chords_given_by_their_deviation_from_the_arc_have_that_deviation() {
     let corners = |text: &str| strokes(text)[0].points.len();
     // A chord over the angle a leaves a circle by r (1 - cos(a / 2)): by half of r over 120
     // degrees.
@@ -333,7 +333,7 @@ fn the_edges_of_areas_are_drawn_once() {
 }
 
 #[test]
-fn edges_along_which_the_pen_went_lifted_are_not_drawn() {
+fn edges_followed_with_a_lifted_pen_are_not_drawn() {
     let lengths_mm = |text: &str| {
         let (artwork, warnings) = draw(text);
         assert_eq!(warnings, [""; 0]);
@@ -351,7 +351,7 @@ fn edges_along_which_the_pen_went_lifted_are_not_drawn() {
     assert_eq!(lengths_mm(square), [10.0, 20.0]);
     let arc = "PU0,0;PM0;PD400,0;PU;AA400,200,180;PD0,400;PM2;EP";
     assert_eq!(lengths_mm(arc), [10.0, 20.0]);
-    // What is filled has all of its edges, and so has a ring for which the pen was never lowered.
+    // A filled shape has all of its edges, and so has a ring for which the pen was never lowered.
     assert_eq!(
         lengths_mm("PU0,0;PM0;PD1600,0,1600,1200;PU;PM2;FP"),
         [120.0]
@@ -370,7 +370,7 @@ fn shown_mm(text: &str) -> f64 {
 }
 
 #[test]
-fn filled_shapes_hide_what_lies_under_them() {
+fn filled_shapes_hide_the_shapes_below() {
     // 60 mm long, and a square of 20 mm over its middle.
     let line = "SP1;PU0,400;PD2400,400;PU";
     let [square, edge] = ["RA", "EA"].map(|name| format!("SP2;PU800,0;{name}1600,800"));
@@ -462,7 +462,7 @@ fn lines_are_dashed_by_their_type() {
     let all = [&dashes[..], &[solid], &dashes].concat();
     assert_eq!(spans(&format!("LT2,10,1;{line}LT;{line}LT99;{line}")), all);
     assert_eq!(spans(&format!("LT2,10,1;{line}IN;{line}")), all[..4]);
-    // In percent of the way from P1 to P2, which is 125 mm: 10 mm, and 5 mm if nothing is said.
+    // In percent of the way from P1 to P2, which is 125 mm: 10 mm, and 5 mm by default.
     let corners = "IP0,0,3000,4000;";
     assert_eq!(spans(&format!("{corners}LT2,8;{line}")), dashes);
     assert_eq!(
@@ -474,7 +474,7 @@ fn lines_are_dashed_by_their_type() {
 }
 
 #[test]
-fn the_dashes_of_a_line_go_on_around_its_corners() {
+fn the_dashes_of_a_line_continue_around_its_corners() {
     // 4 mm and 4 mm more: the second dash goes from 5 to 7.5 mm, and so the ink is 3.5 mm tall.
     let found = corners("LT2,5,1;PD160,0,160,160;");
     let second = [(4.0, 2.5), (4.0, 0.0)];
@@ -506,7 +506,7 @@ fn line_types_can_be_defined_and_letters_are_never_dashed() {
 }
 
 #[test]
-fn what_is_left_out_is_named_with_its_place_and_count() {
+fn skipped_commands_are_named_with_their_place_and_count() {
     let text =
         "IN;LT0;PD40,0;\nLBSP1;text;\u{3}LT;DT$;LBmore$PU;ZZ1,2;\nFT3;PG;PD0,0;SI.2,.3;RO90;";
     let (_, warnings) = draw(text);
@@ -525,7 +525,7 @@ fn what_is_left_out_is_named_with_its_place_and_count() {
 
 #[test]
 #[expect(clippy::too_many_lines, reason = "a table")]
-fn what_cannot_be_drawn_is_refused_with_its_place() {
+fn an_undrawable_command_is_refused_with_its_place() {
     for (text, expected) in [
         (
             &b""[..],
@@ -694,7 +694,7 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
 }
 
 #[test]
-fn a_file_cut_anywhere_gives_less_or_an_error() {
+fn a_truncated_file_gives_less_or_an_error() {
     let text =
         b"IN;SP1;PU0,0;PD400,0,400,400;CI100;PU;SP2;PE<\xBF\xBF\x4F\xC0\xBF;PA0,0;PD;AA0,80,90;PU;\
         DT#,1;SI.2,.3;DI0,1;LO5;SM*;PU9,9;LBA;\xE4#CP1,-1;BLb#PB;SP0;";
@@ -725,7 +725,7 @@ fn wanted(lines: &[Vec<(i32, i32)>]) -> Vec<(Point, Point)> {
 
 proptest! {
     #[test]
-    fn lines_come_back_as_they_were_written(lines in lines(), encoded: bool, has_7_bits: bool) {
+    fn lines_are_read_as_they_were_written(lines in lines(), encoded: bool, has_7_bits: bool) {
         let mut text = b"IN;SP1;".to_vec();
         let mut here = (0, 0);
         for line in &lines {
@@ -770,7 +770,7 @@ proptest! {
 }
 
 #[test]
-fn numbers_may_have_exponents_but_commands_that_begin_with_e_are_none() {
+fn numbers_may_have_exponents_but_commands_that_begin_with_e_are_not_exponents() {
     // A turned label of pstoedit.
     let label = |way: &str| corners(&format!("SI.5,.7;PU0,0;DI{way};LBHO\u{3}"));
     assert_eq!(label("4.48966e-09,100"), label("0,1"));

@@ -16,11 +16,11 @@ pub(super) struct Field<'d> {
 
 impl<'d> Field<'d> {
     pub(super) fn attribute(node: Node<'d, '_>, name: &str) -> Option<Self> {
-        let it = node.attribute_node(name)?;
+        let attribute = node.attribute_node(name)?;
         Some(Self {
             // Of the document, not of the current node.
             text: node.attribute(name)?,
-            at: it.range_value().start,
+            at: attribute.range_value().start,
         })
     }
 

@@ -93,7 +93,7 @@ fn same(found: f64, expected: f64, tolerance: f64) {
 }
 
 #[test]
-fn a_rectangle_lies_about_its_middle_and_y_points_up() {
+fn a_rectangle_is_centred_at_its_place_and_y_points_up() {
     let small = shape(
         "Type=\"Rect\" CutIndex=\"0\" W=\"2\" H=\"4\"",
         "1 0 0 1 1 2",
@@ -115,7 +115,7 @@ fn a_rectangle_lies_about_its_middle_and_y_points_up() {
 }
 
 #[test]
-fn a_mirrored_project_is_drawn_as_it_is_seen_in_lightburn() {
+fn a_mirrored_project_is_drawn_as_shown_in_lightburn() {
     let hook = shape(
         "Type=\"Path\" CutIndex=\"0\"",
         HERE,
@@ -170,7 +170,7 @@ fn corners_that_are_too_round_or_turned_inwards_are_reported() {
 }
 
 #[test]
-fn an_ellipse_has_its_radii_and_a_polygon_begins_on_the_right() {
+fn an_ellipse_has_its_radii_and_a_polygon_starts_on_the_right() {
     let circle = draw(&shape(
         "Type=\"Ellipse\" CutIndex=\"0\" Rx=\"10\" Ry=\"10\"",
         HERE,
@@ -194,7 +194,7 @@ fn an_ellipse_has_its_radii_and_a_polygon_begins_on_the_right() {
 }
 
 #[test]
-fn groups_move_turn_and_stretch_what_is_in_them() {
+fn groups_move_turn_and_stretch_their_contents() {
     let dash = shape(
         "Type=\"Path\" CutIndex=\"0\"",
         "2 0 0 2 1 0",
@@ -225,7 +225,7 @@ fn groups_move_turn_and_stretch_what_is_in_them() {
 }
 
 #[test]
-fn a_text_lies_where_its_outlines_are_whatever_group_it_is_in() {
+fn a_text_is_placed_at_its_outlines_in_any_group() {
     let line = "<VertList>V0 0V4 0</VertList><PrimList>L0 1</PrimList>";
     let outlines = format!(
         "<BackupPath Type=\"Path\" CutIndex=\"0\"><XForm>1 0 0 1 10 8</XForm>{line}</BackupPath>"
@@ -249,7 +249,7 @@ fn a_text_lies_where_its_outlines_are_whatever_group_it_is_in() {
 }
 
 #[test]
-fn what_cannot_be_drawn_is_reported_with_what_to_do() {
+fn an_undrawable_shape_is_reported_with_a_remedy() {
     let line = shape(
         "Type=\"Path\"",
         HERE,

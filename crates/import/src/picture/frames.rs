@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_cut_off_has_no_further_pictures() {
+    fn a_truncated_file_has_no_further_pictures() {
         for (bytes, format) in [
             (gif(2), ImageFormat::Gif),
             (tiff(254, 0), ImageFormat::Tiff),

@@ -93,7 +93,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_cell_is_the_mean_of_what_it_covers() {
+    fn a_cell_is_the_mean_of_the_pixels_it_covers() {
         let grey = [0, 255, 255, 0, 0, 0];
         let tone = resample(&grey, [6, 1], [4, 1], Point::new(6.0, 1.0));
         let wanted = [2.0 / 3.0, 0.0, 1.0, 1.0];

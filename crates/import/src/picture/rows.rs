@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn pieces_are_joined_to_and_fro() {
+    fn pieces_are_joined_back_and_forth() {
         let p = Point::new;
         let lines = vec![
             vec![vec![p(0.0, 0.0), p(9.0, 0.0)]],

@@ -53,7 +53,7 @@ mod tests {
     use dobot_geometry::Point;
 
     #[test]
-    fn grain_goes_and_edges_stay() {
+    fn grain_is_removed_and_edges_stay() {
         let grain = |i: usize| if i.is_multiple_of(2) { 0.02 } else { -0.02 };
         let ink = |i: usize| as_ink(if i % 20 < 10 { 0.2 } else { 0.8 } + grain(i + i / 20));
         let tone = Tone {

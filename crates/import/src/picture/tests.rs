@@ -99,7 +99,7 @@ fn the_outline_of_a_disc_is_a_circle_of_its_size() {
 }
 
 #[test]
-fn an_outline_leaves_specks_out_and_a_threshold_says_where_it_runs() {
+fn an_outline_omits_specks_and_runs_at_its_threshold() {
     let big = disc(60.0, 60.0, 30.0);
     let speck = disc(110.0, 20.0, 1.0);
     let file = grey(120, 120, |x, y| big(x, y).min(speck(x, y)));
@@ -126,7 +126,7 @@ fn a_wall_that_grows_dark_has_no_outline() {
 }
 
 #[test]
-fn dots_are_shared_out_as_the_tone_is() {
+fn dots_are_distributed_according_to_the_tone() {
     for (left, right) in [(0.75, 0.25), (1.0, 0.1), (0.3, 0.2), (0.5, 0.5)] {
         let ink = (0..160 * 120).map(|i| tone::as_ink(if i % 160 < 80 { left } else { right }));
         let tone = Tone {
@@ -184,7 +184,7 @@ fn dots_keep_apart_and_leave_white_alone() {
 }
 
 #[test]
-fn another_seed_scatters_other_dots_and_the_same_the_same() {
+fn another_seed_places_other_dots_and_the_same_seed_the_same_ones() {
     let file = grey(90, 60, |x, _| x / 90.0);
     let with = |seed| {
         let mut options = options(ShadingStyle::Stipple);
@@ -230,7 +230,7 @@ fn each_darker_tone_is_hatched_in_one_more_direction() {
 }
 
 #[test]
-fn lines_leave_the_more_ink_the_darker_it_is() {
+fn darker_lines_leave_more_ink() {
     for style in [
         ShadingStyle::Lines,
         ShadingStyle::Spiral,
@@ -288,7 +288,7 @@ fn flow_lines_run_along_an_edge_and_not_across_it() {
 }
 
 #[test]
-fn a_lighter_picture_has_less_ink_and_more_contrast_moves_tones_apart() {
+fn a_lighter_picture_has_less_ink_and_more_contrast_separates_tones() {
     let file = grey(200, 100, |x, _| 0.1 + 0.8 * x / 200.0);
     let ink_mm = |set: &dyn Fn(&mut Shading)| {
         let mut options = options(ShadingStyle::Lines);
@@ -319,7 +319,7 @@ fn a_lighter_picture_has_less_ink_and_more_contrast_moves_tones_apart() {
 }
 
 #[test]
-fn the_spacing_holds_on_the_paper() {
+fn the_spacing_is_kept_on_the_paper() {
     let file = grey(100, 100, |_, _| 0.0);
     let dots = |scale| {
         let options = ReadOptions {
@@ -333,7 +333,7 @@ fn the_spacing_holds_on_the_paper() {
 }
 
 #[test]
-fn a_dull_photo_is_drawn_as_a_rich_one() {
+fn a_dull_photo_is_drawn_like_a_rich_one() {
     let rich = grey(160, 90, |x, y| (x + y) / 250.0);
     let dull = grey(160, 90, |x, y| 0.4 + 0.3 * (x + y) / 250.0);
     let length_mm = |file: &[u8]| -> f64 {
@@ -345,7 +345,7 @@ fn a_dull_photo_is_drawn_as_a_rich_one() {
 }
 
 #[test]
-fn inverted_light_is_drawn_on_black_paper() {
+fn an_inverted_picture_is_drawn_on_black_paper() {
     let white_disc = grey(120, 120, |x, y| 1.0 - disc(60.0, 60.0, 30.0)(x, y));
     let mut options = options(ShadingStyle::Hatch);
     options.shading.invert = true;
@@ -409,7 +409,7 @@ fn every_kind_of_jpeg_is_read() {
 }
 
 #[test]
-fn a_photo_stands_upright_however_the_camera_was_held() {
+fn a_photo_is_upright_for_every_orientation_of_the_camera() {
     // The upper half is black in the file; number 6: its left edge is the top of the photo.
     let pixels: Vec<u8> = (0..32 * 16)
         .map(|i| if i < 256 { 0 } else { 255 })
@@ -430,7 +430,7 @@ fn a_photo_stands_upright_however_the_camera_was_held() {
 }
 
 #[test]
-fn a_png_that_knows_its_size_is_drawn_at_that() {
+fn a_png_with_a_physical_size_is_drawn_at_that_size() {
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, 40, 20);
     encoder.set_color(ColorType::Grayscale);
@@ -450,7 +450,7 @@ fn a_png_that_knows_its_size_is_drawn_at_that() {
 }
 
 #[test]
-fn a_file_that_breaks_off_is_refused() {
+fn a_truncated_file_is_refused() {
     let png = bands();
     let jpeg = include_bytes!("../../../../examples/drawings/still-life.jpg");
     for file in [png.as_slice(), jpeg] {
@@ -472,7 +472,7 @@ fn a_file_that_breaks_off_is_refused() {
 }
 
 #[test]
-fn pictures_of_other_formats_are_drawn_as_the_same_png() {
+fn pictures_of_other_formats_are_drawn_like_the_same_png() {
     // The left half black, the right one white and half of that transparent.
     let picture = image::RgbaImage::from_fn(64, 32, |x, _| match x {
         0..32 => image::Rgba([0, 0, 0, 255]),
@@ -516,7 +516,7 @@ fn pictures_of_other_formats_are_drawn_as_the_same_png() {
 }
 
 #[test]
-fn a_file_that_is_no_picture_is_distinguished_from_a_damaged_one() {
+fn a_file_that_is_not_a_picture_is_distinguished_from_a_damaged_one() {
     for name in ["a.jpg", "a.png"] {
         let message = |bytes: &[u8]| {
             let source = crate::Source::of_file(name, bytes.to_vec()).unwrap();
@@ -570,7 +570,7 @@ fn a_picture_without_pixels_is_refused_with_its_size() {
 }
 
 #[test]
-fn pictures_whose_header_says_that_they_are_huge_are_refused() {
+fn pictures_with_a_huge_size_in_the_header_are_refused() {
     let message = |format| {
         let file = sized(format, [u16::MAX, u16::MAX]);
         let error = read(&file, &ReadOptions::default()).unwrap_err();
@@ -584,7 +584,7 @@ fn pictures_whose_header_says_that_they_are_huge_are_refused() {
     assert!(message(Tiff).starts_with("cannot read the TIFF picture: "));
 }
 
-/// A picture of 16 x 16 pixels whose header says that it has another size.
+/// A picture of 16 x 16 pixels whose header gives another size.
 fn sized(format: image::ImageFormat, [width, height]: [u16; 2]) -> Vec<u8> {
     let picture = image::RgbImage::from_pixel(16, 16, image::Rgb([90; 3]));
     let mut file = Cursor::new(Vec::new());
@@ -606,7 +606,7 @@ fn sized(format: image::ImageFormat, [width, height]: [u16; 2]) -> Vec<u8> {
 }
 
 #[test]
-fn a_spacing_that_would_take_days_is_refused_with_the_least() {
+fn a_spacing_that_would_take_days_is_refused_with_the_smallest_one() {
     let file = grey(100, 50, |_, _| 0.0);
     let mut options = options(ShadingStyle::Hatch);
     options.scale = 8.0;
@@ -654,7 +654,7 @@ fn a_white_page_has_nothing_to_draw() {
 }
 
 #[test]
-fn pictures_are_known_by_name_and_by_contents() {
+fn pictures_are_recognised_by_name_and_by_contents() {
     let file = grey(2, 2, |_, _| 0.0);
     for name in ["photo.png", "photo.JPG", "photo.jpeg", "-", "photo"] {
         let source = Source::of_file(name, file.clone()).unwrap();
@@ -691,7 +691,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(100))]
 
     #[test]
-    fn every_stroke_lies_on_the_page_and_comes_again(
+    fn every_stroke_is_on_the_page_and_reproducible(
         pixels in prop::collection::vec(any::<u8>(), 1..300),
         width in 1..30_u32,
         style in prop::sample::select(STYLES.to_vec()),
@@ -722,7 +722,7 @@ proptest! {
     }
 
     #[test]
-    fn damaged_files_end_in_an_error_or_a_picture(
+    fn a_damaged_file_gives_an_error_or_a_picture(
         place in 0..100_000_usize, value in any::<u8>(), is_jpeg in any::<bool>(),
     ) {
         let mut file = if is_jpeg {
@@ -732,7 +732,7 @@ proptest! {
         };
         let place = place % file.len();
         file[place] = value;
-        // What matters is that it comes back.
+        // It only has to return.
         let _outcome = read(&file, &ReadOptions::default());
     }
 }
@@ -752,7 +752,7 @@ const INTERLACED: &[u8] = &[
 ];
 
 #[test]
-fn a_picture_of_one_tone_has_no_borders_however_dark_it_is() {
+fn a_picture_of_one_tone_has_no_outlines_at_any_darkness() {
     let black = grey(40, 40, |_, _| 0.0);
     let error = read(&black, &options(ShadingStyle::Outline)).unwrap_err();
     assert_eq!(

@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn a_blur_keeps_the_middle_of_an_edge_and_what_is_far_from_it() {
+    fn a_blur_preserves_the_middle_of_an_edge_and_distant_pixels() {
         let tone = step().blurred(0.5);
         assert!((tone.at(Point::new(2.0, 1.0)) - 0.5).abs() < 1e-6);
         assert!(tone.at(Point::new(0.25, 1.0)) < 0.01);

@@ -40,7 +40,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lines_become_strokes_as_they_are() {
+    fn lines_become_strokes_unchanged() {
         let square = [(0.0, 0.0), (40.0, 0.0), (40.0, 30.0), (0.0, 0.0)].map(Point::from);
         let dot = vec![Point::new(20.0, 10.0)];
         let (artwork, warnings) =
@@ -53,7 +53,7 @@ mod tests {
     }
 
     #[test]
-    fn a_point_that_is_no_place_is_reported_with_its_line() {
+    fn an_invalid_point_is_reported_with_its_line() {
         for (x, y, message) in [
             (f64::NAN, 0.0, "point 2 of line 1 is (NaN, 0)"),
             (0.0, f64::INFINITY, "point 2 of line 1 is (0, inf)"),

@@ -53,7 +53,7 @@ fn each_pen_of_a_csv_file_is_a_layer() {
 }
 
 #[test]
-fn a_line_that_ends_where_it_began_is_closed() {
+fn a_line_that_ends_at_its_start_is_closed() {
     assert!(csv("0,0\n9,0\n9,9\n0,0").0.layers[0].strokes[0].closed);
 }
 
@@ -221,8 +221,7 @@ fn bad_json_is_refused_with_its_place() {
 }
 
 #[test]
-fn strokes_are_drawn_as_they_are_read_so_that_one_too_many_is_reported_before_what_is_wrong_behind()
-{
+fn strokes_are_drawn_while_read_so_that_an_excess_one_is_reported_before_later_errors() {
     let strokes: Vec<String> = (0..1001)
         .map(|i| format!(r#"{{"layer":"{i}","points":[[0,0]]}}"#))
         .collect();
@@ -232,7 +231,7 @@ fn strokes_are_drawn_as_they_are_read_so_that_one_too_many_is_reported_before_wh
 }
 
 #[test]
-fn a_file_cut_anywhere_gives_less_or_an_error() {
+fn a_truncated_file_gives_less_or_an_error() {
     let text = r#"{"strokes": [{"layer": "a", "closed": true, "points": [[0, 0], [9, 9]]}]}"#;
     for end in 0..text.len() {
         read_json(&text[..end], &ReadOptions::default()).unwrap_err();
@@ -247,7 +246,7 @@ fn a_file_cut_anywhere_gives_less_or_an_error() {
 
 proptest! {
     #[test]
-    fn strokes_come_back_as_they_were_written(
+    fn strokes_are_read_as_they_were_written(
         strokes in prop::collection::vec(prop::collection::vec((-1e4..1e4, -1e4..1e4), 1..9), 1..9)
     ) {
         let mut lines = String::new();
@@ -280,7 +279,7 @@ proptest! {
 }
 
 #[test]
-fn a_stroke_of_more_points_than_a_drawing_has_is_refused_before_what_is_wrong_behind() {
+fn a_stroke_with_too_many_points_is_refused_before_later_errors() {
     let lines = "1,1\n2,2\n".repeat(1_000_001) + "oops";
     let error = read_csv(&lines, &ReadOptions::default()).unwrap_err();
     assert_eq!(

@@ -8,7 +8,7 @@ use dobot_geometry::{Stroke, bounds_of_strokes};
 use super::*;
 use crate::artwork::Layer;
 
-/// A drawing that comes with the project; whatever is left out of it would be a mistake in it.
+/// A drawing of the project; a skipped part would be a mistake in it.
 fn example(name: &str) -> Artwork {
     let (artwork, warnings) = example_with_warnings(name);
     assert_eq!(warnings, [], "{name}");
@@ -28,7 +28,7 @@ fn example_with_warnings(name: &str) -> (Artwork, Vec<Warning>) {
 }
 
 #[test]
-fn a_file_of_more_bytes_than_its_kind_has_is_refused_before_it_is_read() {
+fn a_file_larger_than_its_format_allows_is_refused_before_it_is_read() {
     let blanks = |begin: &str, length: usize| {
         let mut bytes = begin.as_bytes().to_vec();
         bytes.resize(length, b' ');
@@ -82,7 +82,7 @@ fn the_leaf_has_an_outline_and_slower_veins() {
 }
 
 #[test]
-fn the_gear_has_24_teeth_and_its_holes_are_for_another_pen() {
+fn the_gear_has_24_teeth_and_holes_for_another_pen() {
     let gear = example("gear.plt");
     has_size(&gear, [80.0, 80.0]);
     assert_eq!(layers(&gear), [("pen 1", 2, 2), ("pen 2", 7, 7)]);
@@ -145,7 +145,7 @@ fn the_knot_is_one_line_in_two_rings() {
 }
 
 #[test]
-fn a_name_without_a_known_ending_is_reported_with_those_that_are() {
+fn a_name_with_an_unknown_extension_is_reported_with_the_known_ones() {
     let error = Source::of_file("letter.txt", b"Dear reader".to_vec()).unwrap_err();
     assert_eq!(
         error.to_string(),
@@ -163,7 +163,7 @@ fn a_name_without_a_known_ending_is_reported_with_those_that_are() {
 }
 
 #[test]
-fn a_drawing_is_known_by_its_contents_where_its_name_is_wrong_or_it_is_packed() {
+fn a_drawing_with_a_wrong_name_or_in_packed_form_is_recognised_by_its_contents() {
     use std::io::Write;
     let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\"/>";
     let expected = Source::from(svg);
@@ -187,7 +187,7 @@ fn a_drawing_is_known_by_its_contents_where_its_name_is_wrong_or_it_is_packed() 
 }
 
 #[test]
-fn what_other_programs_make_a_drawing_of_is_reported_with_the_way() {
+fn a_format_that_other_programs_can_convert_is_reported_with_the_program() {
     for (bytes, message) in [
         (
             &b"%PDF-1.7\n4 0 obj"[..],

@@ -40,7 +40,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn named_colours_have_names_and_others_digits() {
+    fn named_colours_have_names_and_others_have_digits() {
         assert_eq!(name([255, 0, 0]), "red");
         assert_eq!(name([0, 255, 255]), "cyan");
         assert_eq!(name([128, 128, 128]), "gray");
@@ -48,7 +48,7 @@ mod tests {
     }
 
     #[test]
-    fn every_name_is_one_that_css_knows() {
+    fn every_name_is_known_to_css() {
         for it in NAMES.split_whitespace() {
             let color = Color::from_str(it).unwrap();
             assert_eq!(&name([color.red, color.green, color.blue]), it);

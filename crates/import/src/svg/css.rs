@@ -46,8 +46,8 @@ impl<'a> Variables<'a> {
         let css = replaced(css, without_custom);
         let css = replaced(css, rem_to_px);
         let css = replaced(css, with_quoted_families);
-        replaced(css, |it| {
-            it.contains("font").then(|| without_line_heights(it))
+        replaced(css, |text| {
+            text.contains("font").then(|| without_line_heights(text))
         })
     }
 

@@ -59,8 +59,10 @@ pub(super) fn value_of<'a>(
         .map(|value| value.1.trim());
     let declared = sheet.rules.iter().rev().filter_map(|rule| {
         let mut declarations = rule.declarations.iter().rev();
-        let it = declarations.find(|declaration| declaration.name == name)?;
-        rule.selector.matches(&Element(node)).then_some(it.value)
+        let declaration = declarations.find(|declaration| declaration.name == name)?;
+        rule.selector
+            .matches(&Element(node))
+            .then_some(declaration.value)
     });
     own.next_back().or_else(|| declared.into_iter().next())
 }

@@ -54,8 +54,8 @@ impl Additions {
         let declarations = std::mem::take(&mut self.declarations);
         if let Some(first) = declarations.strip_prefix(';') {
             match node.attribute_node("style") {
-                Some(it) => {
-                    let end = it.range_value().end;
+                Some(style) => {
+                    let end = style.range_value().end;
                     edits.push(Edit {
                         range: end..end,
                         words: escaped(&declarations),

@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn closing_returns_to_the_start_and_going_on_begins_there() {
+    fn closing_returns_to_the_start_and_continuing_begins_there() {
         let mut path = PathBuilder::new();
         path.move_to(1.0, 1.0);
         path.line_to(2.0, 1.0);

@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn groups_get_the_ids_that_they_lack() {
+    fn groups_get_missing_ids() {
         let text = r#"<svg><g><g/></g><g id="sea"/><g id=""/><g
             fill="red"/></svg>"#;
         let doc = Document::parse(text).unwrap();

@@ -247,7 +247,7 @@ impl SvgPage {
         let edge = self.edge.as_ref().filter(|edge| !edge.holds(around));
         let area = match (&shown, edge) {
             (_, None) | (None, _) => shown.clone(),
-            (Some(it), Some(_)) if it.rings.is_empty() => shown.clone(),
+            (Some(whole), Some(_)) if whole.rings.is_empty() => shown.clone(),
             (Some(whole), Some(edge)) => self::shown(
                 whole,
                 around,
@@ -389,7 +389,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_fill_is_clipped_as_long_as_corners_are_left_for_it_and_what_shows_costs_more() {
+    fn a_fill_is_clipped_while_the_budget_of_corners_lasts_and_visible_parts_cost_more() {
         let square = |at: f64| {
             let corners = [
                 (at, at),

@@ -28,10 +28,10 @@ impl PageSize {
             let styled = value_of(rules, root, name);
             let styled = styled.filter(|value| UNITS.iter().any(|unit| value.ends_with(unit)));
             match (styled.filter(|value| is_length(value)), attribute) {
-                (Some(value), Some(it)) => size.edits.push(replaced(&it, value)),
+                (Some(value), Some(attribute)) => size.edits.push(replaced(&attribute, value)),
                 (Some(value), None) => size.added.attribute(name, value),
-                (None, Some(it)) if !is_read(it.value().trim()) => {
-                    size.edits.push(replaced(&it, "100%"));
+                (None, Some(attribute)) if !is_read(attribute.value().trim()) => {
+                    size.edits.push(replaced(&attribute, "100%"));
                     size.unread += 1;
                 }
                 _ => {}

@@ -178,11 +178,11 @@ fn question(part: &str) -> Option<Question> {
         ("first-of-type", "") => place((0, 1), true, false),
         ("last-of-type", "") => place((0, 1), true, true),
         ("last-child", "") => place((0, 1), false, true),
-        ("nth-child", it) => place(numbers(it)?, false, false),
-        ("nth-last-child", it) => place(numbers(it)?, false, true),
-        ("nth-of-type", it) => place(numbers(it)?, true, false),
-        ("nth-last-of-type", it) => place(numbers(it)?, true, true),
-        ("not", it) => not(it)?,
+        ("nth-child", argument) => place(numbers(argument)?, false, false),
+        ("nth-last-child", argument) => place(numbers(argument)?, false, true),
+        ("nth-of-type", argument) => place(numbers(argument)?, true, false),
+        ("nth-last-of-type", argument) => place(numbers(argument)?, true, true),
+        ("not", argument) => not(argument)?,
         _ => return None,
     })
 }
@@ -306,7 +306,7 @@ mod tests {
     }
 
     #[test]
-    fn elements_are_meant_by_parts_of_attributes_by_places_and_by_what_they_are_not() {
+    fn elements_are_selected_by_parts_of_attributes_by_positions_and_by_negation() {
         for (selector, names) in [
             ("[id^=one]", "one onetwo"),
             ("[id$='two']", "two onetwo"),
@@ -327,7 +327,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_known_or_would_count_otherwise_stays_unread() {
+    fn unknown_and_ambiguous_selectors_stay_unread() {
         for selector in [
             ":not(a)",
             ":not(#one)",
@@ -360,7 +360,7 @@ mod tests {
     }
 
     #[test]
-    fn a_selector_keeps_what_the_library_knows() {
+    fn a_selector_keeps_its_parts_that_the_library_knows() {
         let mut marks = Marks::default();
         let readable = marks.readable("g.a:first-child > path[id^=b], #c:not(.d) + [e=f] [id^=b]");
         assert_eq!(

@@ -21,8 +21,8 @@ pub(super) fn readable_sheet<'t>(
 ) -> Cow<'t, str> {
     let css = replaced(Cow::Borrowed(css), without_html_signs);
     let css = replaced(css, |text| text.contains('@').then(|| unwrapped(text, 0)));
-    let css = replaced(css, |it| {
-        it.contains(":root").then(|| it.replace(":root", "svg"))
+    let css = replaced(css, |text| {
+        text.contains(":root").then(|| text.replace(":root", "svg"))
     });
     let css = match css {
         Cow::Borrowed(css) => variables.readable(css),
@@ -204,7 +204,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn whatever_stands_in_a_style_is_read(parts in prop::collection::vec(prop::sample::select(&PARTS[..]), 0..40)) {
+        fn any_text_in_a_style_is_read(parts in prop::collection::vec(prop::sample::select(&PARTS[..]), 0..40)) {
             let css = parts.concat();
             let mut variables = Variables::new();
             variables.read(&css);

@@ -64,7 +64,7 @@ fn missing<'a>(asked: &'a Font, fonts: &Database, got: ID) -> Option<&'a String>
     }
     // A file without a font name requests the default, which nobody misses.
     let default = fonts.family_name(&Family::Serif);
-    names.iter().find_map(|it| match it {
+    names.iter().find_map(|font_family| match font_family {
         FontFamily::Named(name) if name != default => Some(name),
         _ => None,
     })

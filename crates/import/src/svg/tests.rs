@@ -67,7 +67,7 @@ fn close(a: Point, x: f64, y: f64) -> bool {
 }
 
 #[test]
-fn millimetres_are_true_whatever_the_unit() {
+fn millimetres_are_true_in_any_unit() {
     for (size, user) in [
         ("96", "96"),
         ("1in", "96"),
@@ -97,7 +97,7 @@ fn transforms_and_copies_compose() {
 }
 
 #[test]
-fn what_does_not_show_is_not_drawn() {
+fn invisible_shapes_are_not_drawn() {
     let (strokes, warnings) = draw(
         r#"<rect x="1" y="1" width="5" height="5"/>
         <rect x="1" y="1" width="5" height="5" fill="none"/>
@@ -113,7 +113,7 @@ fn what_does_not_show_is_not_drawn() {
 }
 
 #[test]
-fn the_edge_of_the_page_cuts_and_what_it_cuts_is_reported() {
+fn strokes_are_cut_at_the_edge_of_the_page_and_this_is_reported() {
     let beyond = r#"<path d="M-10 25H200" stroke="red"/><path d="M-9 60H9" stroke="red"/>"#;
     let (strokes, warnings) = draw(beyond);
     assert_eq!(strokes.len(), 1);
@@ -143,7 +143,7 @@ fn a_line_that_rounding_put_beyond_the_page_is_drawn_whole() {
 }
 
 #[test]
-fn a_filled_shape_has_the_edge_that_a_clip_path_gives_it() {
+fn a_clipped_filled_shape_has_the_edge_of_its_clip_path() {
     let (strokes, warnings) = draw(
         r#"<clipPath id="c"><circle cx="50" cy="25" r="5"/></clipPath>
         <rect width="100" height="50" clip-path="url(#c)"/>
@@ -202,7 +202,7 @@ fn clip_paths_cut_with_their_own_clips_and_transforms() {
         .iter()
         .map(|s| [s.points[0].x, s.last().unwrap().x].map(|x| (x * 1e3).round() / 1e3))
         .collect();
-    // The outer clip lies in the user space of what is clipped, not in that of the inner clip.
+    // The outer clip is in the user space of the clipped object, not in that of the inner clip.
     assert_eq!(spans, [[10.0, 20.0], [25.0, 30.0]]);
 }
 
@@ -215,7 +215,7 @@ fn dashes_scale_with_their_path() {
 }
 
 #[test]
-fn points_are_drawn_up_to_one_without_y_and_that_is_reported_with_its_place() {
+fn points_are_drawn_up_to_one_without_y_which_is_reported_with_its_place() {
     let reported = |content: &str| -> Vec<String> {
         let (_, warnings) = super::read(&page(content), &options()).unwrap();
         warnings.iter().map(ToString::to_string).collect()
@@ -235,7 +235,7 @@ fn points_are_drawn_up_to_one_without_y_and_that_is_reported_with_its_place() {
     assert_eq!(reported(odd), [lone(column, "1 lone coordinate")]);
     let two = format!("{odd}\n{}", odd.replace("polygon", "polyline"));
     assert_eq!(reported(&two), [lone(column, "2 lone coordinates")]);
-    // What is read otherwise before it does not change its place.
+    // Characters replaced before it do not change its place.
     let sized = format!(r#"<rect x=" 5 " y="1" width="5" height="5" stroke="red"/>{odd}"#);
     let column = page(&sized).find(" 30\"").unwrap() + 4;
     assert_eq!(reported(&sized), [lone(column, "1 lone coordinate")]);
@@ -247,7 +247,7 @@ fn points_are_drawn_up_to_one_without_y_and_that_is_reported_with_its_place() {
 }
 
 #[test]
-fn a_line_without_length_is_a_dot_where_its_ends_are_drawn() {
+fn a_line_without_length_is_a_dot_if_its_caps_are_drawn() {
     let line =
         |cap| format!(r#"<path d="M5 5h0M7 7h2M3 3zM1 1" stroke="red" stroke-linecap="{cap}"/>"#);
     let count = |cap| draw(&line(cap)).0.len();
@@ -279,7 +279,7 @@ fn curves_keep_the_tolerance_when_their_group_is_enlarged() {
 }
 
 #[test]
-fn what_a_pen_cannot_show_is_counted() {
+fn effects_that_a_pen_cannot_show_are_counted() {
     let (_, warnings) = draw(
         r#"<linearGradient id="g"><stop stop-color="red"/><stop offset="1"/></linearGradient>
         <mask id="m"><rect width="9" height="9" fill="white"/></mask>
@@ -303,7 +303,7 @@ fn what_a_pen_cannot_show_is_counted() {
 }
 
 #[test]
-fn text_without_any_font_is_left_out_with_a_warning() {
+fn text_without_any_font_is_skipped_with_a_warning() {
     let (strokes, warnings) =
         draw(r#"<text x="5" y="20">Hi</text><path d="M0 0L9 9" stroke="red"/>"#);
     assert_eq!(strokes.len(), 1);
@@ -332,7 +332,7 @@ fn nothing_visible_is_an_error() {
 }
 
 #[test]
-fn what_is_no_svg_file_is_named_with_its_place() {
+fn an_invalid_svg_file_is_refused_with_its_place() {
     assert_eq!(
         error(" \n"),
         "the file is empty; an SVG file begins with <svg"
@@ -350,7 +350,7 @@ fn what_is_no_svg_file_is_named_with_its_place() {
 }
 
 #[test]
-fn a_path_that_browsers_would_cut_short_is_refused_with_its_place() {
+fn a_path_that_browsers_would_truncate_is_refused_with_its_place() {
     let text = "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>\n<path d='M 0 0 L NaN 5'/></svg>";
     assert_eq!(
         error(text),
@@ -447,7 +447,7 @@ fn shapes_that_become_groups_count_twice_and_those_of_full_opacity_do_not() {
 }
 
 #[test]
-fn what_styles_and_html_say_and_nobody_reads_is_reported() {
+fn unsupported_style_and_html_content_is_reported() {
     let line = "<path d='M0 0H9' stroke='red'/>";
     let reported = |more: &str| {
         let (strokes, warnings) = draw(&format!("{line}{more}"));
@@ -484,7 +484,7 @@ fn what_styles_and_html_say_and_nobody_reads_is_reported() {
 }
 
 #[test]
-fn styles_that_would_take_for_ever_are_refused() {
+fn styles_that_would_take_too_long_are_refused() {
     let sheet = |rules: usize| format!("<style>{}</style><rect/>", "a{fill:red}".repeat(rules));
     let message = error(&page(&sheet(20_000)));
     assert!(message.contains("found styles (CSS) that take too long to read; expected a sheet of"));
@@ -514,7 +514,7 @@ fn an_element_inside_itself_is_refused() {
 }
 
 #[test]
-fn deep_nesting_is_refused_and_what_is_allowed_fits_the_stack() {
+fn deep_nesting_is_refused_and_allowed_nesting_fits_the_stack() {
     let nested = |depth| {
         let open = "<g transform='rotate(1 50 25)'>".repeat(depth);
         page(&format!(
@@ -561,7 +561,7 @@ fn text_that_names_a_hershey_font_is_written_in_single_lines() {
         "Hershey sans",
         "'Hershey Sans 1-stroke'",
         "HersheySans1",
-        // A name with a digit at the start of a word stands in quotes in CSS; many leave them out.
+        // A name with a digit at the start of a word needs quotes in CSS; many omit them.
         "Hershey Sans 1-stroke",
         "Hershey  Sans 1-stroke , serif",
     ] {
@@ -611,7 +611,7 @@ fn letters_of_single_lines_are_raised_turned_and_underlined() {
     assert!((foot(r#"baseline-shift="sub""#) - 34.0).abs() < 1e-3);
     assert!((foot(r#"baseline-shift="super""#) - 22.0).abs() < 1e-3);
     assert!((foot(r#"baseline-shift="5""#) - 25.0).abs() < 1e-3);
-    // On its side, to the right of where it stands.
+    // On its side, to the right of its place.
     let (turned, _) = draw(r#"rotate="90""#);
     assert!(turned[0].height() < 0.1 && (turned[0].width() - 14.0).abs() < 1e-3);
     assert!((turned[0].x0 - 30.0).abs() < 1e-3, "{turned:?}");
@@ -649,7 +649,7 @@ fn letters_of_single_lines_are_raised_turned_and_underlined() {
 }
 
 #[test]
-fn what_is_not_read_of_letters_of_single_lines_is_reported_once_with_its_line() {
+fn unsupported_styles_of_single_line_letters_are_reported_once_with_their_line() {
     let Some(options) = with_fonts() else {
         return; // A machine without fonts cannot show this.
     };
@@ -741,7 +741,7 @@ fn letters_in_parts_are_written_as_those_in_one() {
 }
 
 #[test]
-fn text_becomes_outlines_where_fonts_are() {
+fn text_becomes_outlines_if_fonts_are_available() {
     let Some(options) = with_fonts() else {
         return; // A machine without fonts cannot show this.
     };
@@ -835,7 +835,7 @@ fn the_colours_of_newer_css_are_those_of_the_layers() {
 }
 
 #[test]
-fn styles_that_mean_nothing_or_stand_for_each_other_are_read() {
+fn odd_styles_and_nested_variables_are_read() {
     let each: Vec<String> = (0..20)
         .map(|i| format!("--v{i}: var(--v{}) var(--v{});", i + 1, i + 1))
         .collect();
@@ -877,7 +877,7 @@ fn styles_that_mean_nothing_or_stand_for_each_other_are_read() {
 }
 
 #[test]
-fn the_size_of_the_page_and_of_letters_are_what_the_styles_state() {
+fn the_sizes_of_the_page_and_of_letters_are_those_of_the_styles() {
     let wide = |root: &str| {
         let svg = format!(
             r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" {root}><path d="M0 0H24" stroke="red"/></svg>"#
@@ -892,7 +892,7 @@ fn the_size_of_the_page_and_of_letters_are_what_the_styles_state() {
 }
 
 #[test]
-fn letters_are_as_large_as_newer_css_states() {
+fn letters_have_the_size_given_by_newer_css() {
     let Some(options) = with_fonts() else {
         return; // A machine without fonts cannot show this.
     };
@@ -913,7 +913,7 @@ fn letters_are_as_large_as_newer_css_states() {
 }
 
 #[test]
-fn what_would_hide_a_shape_without_need_does_not() {
+fn attributes_that_would_needlessly_hide_a_shape_are_ignored() {
     for path in [
         r##"<path d="M10 10H90" stroke="#000" filter="url(#no)"/>"##,
         r##"<path d="M10 10H90" stroke="#000" pathLength="1" stroke-dasharray="1"/>"##,
@@ -930,7 +930,7 @@ fn what_would_hide_a_shape_without_need_does_not() {
 }
 
 #[test]
-fn what_no_browser_shows_is_not_drawn() {
+fn shapes_that_no_browser_shows_are_not_drawn() {
     for nothing in [
         r#"<line x1="10" y1="10" x2="90" y2="30"/>"#,
         r#"<path d="M20 20h50"/>"#,
@@ -942,7 +942,7 @@ fn what_no_browser_shows_is_not_drawn() {
 }
 
 #[test]
-fn a_gradient_that_begins_with_white_is_ink() {
+fn a_gradient_that_starts_with_white_is_ink() {
     let (strokes, warnings) = draw(
         r##"<radialGradient id="g"><stop stop-color="#fff"/><stop offset="1" stop-color="#00f"/></radialGradient>
         <rect x="10" y="10" width="20" height="20" fill="url(#g)"/>"##,
@@ -952,7 +952,7 @@ fn a_gradient_that_begins_with_white_is_ink() {
 }
 
 #[test]
-fn what_of_the_styles_is_not_read_is_reported() {
+fn unsupported_styles_are_reported() {
     for (content, reported) in [
         (r#"<g style="rotate: 45deg">LINE</g>"#, "1 CSS transform"),
         (

@@ -48,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_letter_and_its_marks_become_one_where_the_font_has_it() {
+    fn a_letter_and_its_marks_become_one_glyph_if_the_font_has_it() {
         for (parts, whole) in [
             ("Cafe\u{301}\nO\u{308}l", "Caf\u{e9}\n\u{d6}l"),
             ("caf\u{e9}", "caf\u{e9}"),

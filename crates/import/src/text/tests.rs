@@ -32,7 +32,7 @@ fn ink(artwork: &Artwork) -> Rect {
 }
 
 #[test]
-fn capitals_are_as_tall_as_asked() {
+fn capitals_have_the_requested_height() {
     for font in StrokeFont::ALL {
         let text = Text {
             font: Font::Stroke(font),
@@ -60,7 +60,7 @@ fn the_page_is_the_ink() {
 }
 
 #[test]
-fn lines_stand_apart_and_meet_where_asked() {
+fn lines_have_the_requested_spacing_and_alignment() {
     let end = |align| {
         let (artwork, _) = read(&Text {
             align,
@@ -91,7 +91,7 @@ fn large_letters_are_round() {
 }
 
 #[test]
-fn what_cannot_be_written_is_named() {
+fn characters_that_cannot_be_written_are_named() {
     let (_, warnings) = read(&Text::new("a漢b字漢"));
     assert_eq!(
         warnings,
@@ -134,7 +134,7 @@ fn text_without_ink_is_refused() {
 }
 
 #[test]
-fn letters_of_no_size_or_as_tall_as_houses_are_refused() {
+fn letters_of_size_zero_or_as_tall_as_houses_are_refused() {
     for height_mm in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e9] {
         let message = error(&Text {
             height_mm,
@@ -163,7 +163,7 @@ fn a_megabyte_of_text_is_refused() {
 }
 
 #[test]
-fn a_font_that_is_not_there_is_named_with_those_like_it() {
+fn a_missing_font_is_named_with_similar_ones() {
     let text = Text {
         font: Font::of("Nonsense"),
         ..Text::new("a")
@@ -182,7 +182,7 @@ fn a_font_that_is_not_there_is_named_with_those_like_it() {
 }
 
 #[test]
-fn outlines_are_areas_as_tall_as_asked_at_their_lines() {
+fn outlines_are_areas_of_the_requested_height_on_their_lines() {
     let Some(options) = with_fonts() else { return };
     let family = options.fonts.faces().next().unwrap().families[0].0.clone();
     let text = Text {

@@ -25,7 +25,7 @@ fn damaged(bytes: &[u8], older: &[u8], chance: &mut Random) -> (Vec<u8>, String)
     let mut damaged = bytes.to_vec();
     let below =
         |chance: &mut Random, most: usize| usize::try_from(chance.number() % most as u64).unwrap();
-    // Most of the file is empty: hit what is written.
+    // Most of the file is empty: hit the written part.
     let page = loop {
         let page = below(chance, bytes.len() / PAGE) * PAGE;
         if bytes[page..][..PAGE].iter().any(|byte| *byte != 0) {
@@ -103,7 +103,7 @@ fn open(path: &Path) -> Result<(Kept, u64), JournalError> {
 }
 
 #[test]
-fn missing_writes_are_told_at_each_start_until_a_clean_shutdown() {
+fn missing_writes_are_reported_at_each_start_until_a_clean_shutdown() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.redb");
     let journal = Journal::open(&path).unwrap();
@@ -126,7 +126,7 @@ fn missing_writes_are_told_at_each_start_until_a_clean_shutdown() {
 }
 
 #[test]
-fn a_new_journal_in_place_of_one_that_was_moved_away_misses_nothing() {
+fn a_new_journal_in_place_of_a_moved_one_misses_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.redb");
     Journal::open(&path)
@@ -138,7 +138,7 @@ fn a_new_journal_in_place_of_one_that_was_moved_away_misses_nothing() {
 }
 
 #[test]
-fn a_count_that_is_missing_or_damaged_hinders_nothing() {
+fn a_missing_or_damaged_count_is_harmless() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.redb");
     let count = folder.path().join("journal.redb.writes");

@@ -31,7 +31,7 @@ fn a_full_disk_refuses_a_new_job_and_keeps_the_old_ones() {
 }
 
 #[test]
-fn a_disk_that_takes_nothing_stops_the_job_and_nothing_is_lost() {
+fn a_disk_that_accepts_nothing_stops_the_job_and_nothing_is_lost() {
     let (disk, journal, id) = running_job();
     journal.extend_window(id, &window(8)).unwrap();
     disk.hold(Some(0));
@@ -48,7 +48,7 @@ fn a_disk_that_takes_nothing_stops_the_job_and_nothing_is_lost() {
 }
 
 #[test]
-fn a_disk_that_fails_is_told_apart_from_a_full_one() {
+fn a_failing_disk_is_distinguished_from_a_full_one() {
     let (disk, journal, id) = running_job();
     disk.cut_after(0);
     let error = journal.extend_window(id, &window(8)).unwrap_err();

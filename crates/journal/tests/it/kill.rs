@@ -57,7 +57,7 @@ fn start(path: &Path) -> Child {
         .unwrap()
 }
 
-/// Hears what is acknowledged, kills the program after some of it, and hears the rest.
+/// Reads the acknowledgements, kills the program after some of them, and reads the rest.
 fn hear_and_kill(mut child: Child, lines: usize, acknowledged: &mut BTreeMap<u64, usize>) {
     let out = BufReader::new(child.stdout.take().unwrap());
     let mut heard = 0;

@@ -41,7 +41,7 @@ pub(crate) fn vector(x_mm: f32, y_mm: f32, z_mm: f32) -> Command {
     WriteVector::by(x_mm, y_mm, z_mm, 40.0).into()
 }
 
-/// An arm that stands somewhere.
+/// An arm at rest at some place.
 pub(crate) const START: Status = Status {
     x_mm: 200.0,
     y_mm: 0.1,
@@ -51,7 +51,7 @@ pub(crate) const START: Status = Status {
     ..Status::AT_ZERO
 };
 
-/// A disk with a cache: what is written can be read, what is synced survives a power cut.
+/// A disk with a cache: written data can be read, synced data survives a power cut.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Disk(Arc<Mutex<Platters>>);
 

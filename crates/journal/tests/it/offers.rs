@@ -24,7 +24,7 @@ fn ended(journal: &Journal, job: u64) {
 }
 
 #[test]
-fn a_job_that_is_offered_again_after_a_kill_is_the_one_that_is_there() {
+fn a_job_offered_again_after_a_kill_is_the_existing_one() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.redb");
     let first = take(&Journal::open(&path).unwrap(), "a");
@@ -35,7 +35,7 @@ fn a_job_that_is_offered_again_after_a_kill_is_the_one_that_is_there() {
 }
 
 #[test]
-fn an_arm_with_other_work_takes_none_and_never_the_same_offer_later() {
+fn an_arm_with_other_work_refuses_an_offer_and_never_accepts_it_later() {
     let journal = Journal::in_memory().unwrap();
     take(&journal, "a");
     let Offered::Refused { reason, busy: true } = take(&journal, "b") else {
@@ -48,7 +48,7 @@ fn an_arm_with_other_work_takes_none_and_never_the_same_offer_later() {
 }
 
 #[test]
-fn what_was_refused_before_it_came_is_refused_when_it_comes() {
+fn an_offer_refused_before_it_arrives_is_refused_on_arrival() {
     let journal = Journal::in_memory().unwrap();
     let refused = journal.refuse("a", "withdrawn by desk-1", false).unwrap();
     assert_eq!(take(&journal, "a"), refused);
@@ -60,7 +60,7 @@ fn what_was_refused_before_it_came_is_refused_when_it_comes() {
 }
 
 #[test]
-fn an_offer_is_answered_with_what_became_of_a_job_that_was_forgotten() {
+fn an_offer_of_a_deleted_job_is_answered_with_its_outcome() {
     let journal = Journal::in_memory().unwrap();
     take(&journal, "a");
     ended(&journal, 1);
@@ -76,7 +76,7 @@ fn an_offer_is_answered_with_what_became_of_a_job_that_was_forgotten() {
 }
 
 #[test]
-fn a_job_that_is_withdrawn_before_it_begins_never_runs_and_one_that_runs_goes_on() {
+fn a_job_withdrawn_before_it_begins_never_runs_and_a_running_one_continues() {
     let journal = Journal::in_memory().unwrap();
     take(&journal, "a");
     let reason = "withdrawn by desk-1".to_owned();

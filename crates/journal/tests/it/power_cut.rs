@@ -12,7 +12,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
-    fn a_power_cut_loses_nothing_acknowledged_and_leaves_nothing_half(
+    fn a_power_cut_loses_nothing_acknowledged_and_leaves_nothing_incomplete(
         acts in proptest::collection::vec(act(), 1..20),
         cut_after in 0_u64..120,
         seed in 1_u64..,
@@ -40,7 +40,7 @@ proptest! {
             "found {found:#?}\nacknowledged {acknowledged:#?}\nunder way {under_way:#?}"
         );
         prop_assert!(!journal.was_clean());
-        // It is a journal as before: what is promised now is kept as well.
+        // It is a journal as before: new promises are kept as well.
         let id = journal.submit(&job("after the cut", 3)).unwrap();
         prop_assert!(found.jobs.iter().all(|(job, _)| job.id != id));
         let left = left.after_power_cut(|| false, 1.0);
@@ -49,7 +49,7 @@ proptest! {
 }
 
 #[test]
-fn a_power_cut_behind_the_good_bye_is_clean() {
+fn a_power_cut_after_a_clean_shutdown_is_clean() {
     let disk = Disk::default();
     let journal = open(&disk).unwrap();
     journal.note_clean_shutdown().unwrap();
@@ -58,7 +58,7 @@ fn a_power_cut_behind_the_good_bye_is_clean() {
 }
 
 #[test]
-fn a_bit_that_the_disk_turns_over_is_told_or_does_no_harm() {
+fn a_flipped_bit_on_the_disk_is_reported_or_harmless() {
     let disk = Disk::default();
     let journal = open(&disk).unwrap();
     for commands in [3, 400, 30] {

@@ -10,7 +10,7 @@ use dobot_wire::{Command, Configuration, Dialect, JointJog, JointJogAxis, Playba
 use proptest::prelude::*;
 
 #[test]
-fn each_end_of_a_square_is_told_and_the_command_that_closes_it_has_to_wait() {
+fn each_corner_of_a_square_is_located_and_its_closing_command_must_wait() {
     let square = [
         vector(20.0, 0.0, 0.0),
         vector(0.0, 20.0, 0.0),
@@ -41,7 +41,7 @@ fn each_end_of_a_square_is_told_and_the_command_that_closes_it_has_to_wait() {
 }
 
 #[test]
-fn a_lifted_pen_is_told_from_one_that_is_down() {
+fn a_lifted_pen_is_distinguished_from_a_lowered_one() {
     let line = [vector(20.0, 0.0, 0.0), vector(0.0, 20.0, 0.0)];
     let model = program::model(Dialect::SPECIFICATION);
     let window = Window::at(0, 2, &model);
@@ -80,7 +80,7 @@ fn a_pen_that_is_up_is_not_lowered_to_be_lifted_again() {
 }
 
 #[test]
-fn an_arm_that_rests_elsewhere_is_not_guessed_about() {
+fn an_arm_that_rests_elsewhere_is_not_located() {
     let line = [vector(20.0, 0.0, 0.0)];
     let model = program::model(Dialect::SPECIFICATION);
     let window = Window::at(0, 1, &model);
@@ -103,7 +103,7 @@ fn an_arm_that_rests_elsewhere_is_not_guessed_about() {
 }
 
 #[test]
-fn two_ends_at_one_place_are_both_named() {
+fn two_endpoints_at_one_place_are_both_named() {
     let there_and_back = [vector(20.0, 0.0, 0.0), vector(-20.0, 0.0, 0.0)];
     let model = program::model(Dialect::SPECIFICATION);
     let window = Window::at(0, 2, &model);
@@ -121,7 +121,7 @@ fn two_ends_at_one_place_are_both_named() {
 }
 
 #[test]
-fn a_jog_is_given_alone() {
+fn a_jog_is_sent_alone() {
     let jog = Command::from(JointJog::new(JointJogAxis::BasePlus, 50.0));
     let commands = [vector(20.0, 0.0, 0.0), jog, vector(20.0, 0.0, 0.0)];
     let model = program::model(Dialect::SPECIFICATION);
@@ -131,7 +131,7 @@ fn a_jog_is_given_alone() {
 }
 
 #[test]
-fn settings_are_told_again_once_each_and_initial_angles_never() {
+fn settings_are_sent_again_once_each_and_initial_angles_never() {
     let writing = |acceleration_mm_s2| Command::from(Configuration::Writing { acceleration_mm_s2 });
     let tool = |tool: Tool| Command::from(Configuration::EndEffector { tool: tool.into() });
     let percent = |speed_percent| {
@@ -161,7 +161,7 @@ fn settings_are_told_again_once_each_and_initial_angles_never() {
 }
 
 #[test]
-fn the_model_of_a_window_knows_what_was_set_before_it() {
+fn the_model_of_a_window_includes_the_settings_before_it() {
     let commands = [
         Configuration::Writing {
             acceleration_mm_s2: 33.0,
@@ -203,7 +203,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(10_000))]
 
     #[test]
-    fn the_last_command_done_is_found_whatever_the_program(
+    fn the_last_completed_command_is_found_in_any_program(
         (dialect, commands) in program::dialect()
             .prop_flat_map(|dialect| (Just(dialect), program::commands(dialect, 40))),
         begin in any::<prop::sample::Index>(),
@@ -233,7 +233,7 @@ proptest! {
     }
 
     #[test]
-    fn a_window_of_any_size_is_told_rightly_or_not_at_all(
+    fn a_window_of_any_size_is_located_correctly_or_not_at_all(
         (dialect, commands) in program::dialect()
             .prop_flat_map(|dialect| (Just(dialect), program::commands(dialect, 20))),
         stop in any::<prop::sample::Index>(),
@@ -251,7 +251,7 @@ proptest! {
     }
 
     #[test]
-    fn a_window_that_goes_on_does_not_go_back(
+    fn a_window_that_advances_does_not_go_back(
         commands in program::commands(Dialect::SPECIFICATION, 40)
             .prop_map(|commands| commands.into_iter().filter(is_vector).collect::<Vec<_>>()),
         most in 1_usize..33,
@@ -327,7 +327,7 @@ impl Places {
         for (index, command) in commands.iter().enumerate().skip(completed) {
             let last = *all.last().unwrap();
             let at = program::end(last.at, command);
-            // A target where the arm stands is no motion, nor is a setting.
+            // A target at the place of the arm is not a motion, nor is a setting.
             if at.distance(last.at).0 >= SPACING_MM || is_vector(command) {
                 all.push(Place {
                     next: index + 1,

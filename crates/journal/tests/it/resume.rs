@@ -146,7 +146,7 @@ fn resume(journal: &Journal, id: JobId, arm: &mut Arm) -> Window {
     }
 }
 
-/// An arm that does what it is given, and where its pen has been.
+/// An arm that executes its commands, and the places of its pen.
 struct Arm {
     at: Position,
     /// The end of the last command.

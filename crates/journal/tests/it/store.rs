@@ -11,7 +11,7 @@ use dobot_wire::{Command, Configuration, Dialect, Status};
 use proptest::prelude::*;
 
 #[test]
-fn a_job_is_there_again_when_the_file_is_opened_again() {
+fn a_job_survives_closing_and_opening_the_file() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.redb");
     let wanted = job("a picture", 40);
@@ -59,7 +59,7 @@ fn only_the_journal_and_the_count_of_its_writes_are_left_in_its_folder() {
 
 #[cfg(unix)]
 #[test]
-fn nobody_else_reads_the_jobs() {
+fn the_jobs_are_readable_by_their_owner_only() {
     use std::os::unix::fs::PermissionsExt;
 
     let folder = tempfile::tempdir().unwrap();
@@ -73,11 +73,11 @@ fn nobody_else_reads_the_jobs() {
 }
 
 #[test]
-fn a_program_that_said_good_bye_is_told_from_one_that_crashed() {
+fn a_clean_shutdown_is_distinguished_from_a_crash() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.redb");
     let first = Journal::open(&path).unwrap();
-    assert!(first.was_clean(), "nothing was left behind yet");
+    assert!(first.was_clean(), "there is no earlier data");
     drop(first);
 
     let after_crash = Journal::open(&path).unwrap();
@@ -90,7 +90,7 @@ fn a_program_that_said_good_bye_is_told_from_one_that_crashed() {
 }
 
 #[test]
-fn the_number_of_a_removed_job_is_not_given_again() {
+fn the_number_of_a_removed_job_is_not_reused() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.redb");
     let journal = Journal::open(&path).unwrap();
@@ -115,7 +115,7 @@ fn the_number_of_a_removed_job_is_not_given_again() {
 }
 
 #[test]
-fn jobs_that_are_arranged_exchange_their_places_and_keep_them_when_the_file_is_opened_again() {
+fn reordered_jobs_exchange_their_places_and_keep_them_when_the_file_is_opened_again() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.redb");
     let journal = Journal::open(&path).unwrap();
@@ -205,7 +205,7 @@ fn a_window_neither_leaves_its_job_nor_goes_back() {
 }
 
 #[test]
-fn what_no_packet_can_carry_is_refused_with_its_place() {
+fn a_command_that_fits_no_packet_is_refused_with_its_place() {
     let journal = Journal::in_memory().unwrap();
     let with = |command: Command| {
         let mut job = job("a picture", 3);
@@ -263,7 +263,7 @@ fn a_journal_that_is_open_is_not_opened_twice() {
 }
 
 #[test]
-fn a_file_of_another_program_is_named_and_left_alone() {
+fn a_file_of_another_program_is_named_and_not_touched() {
     let folder = tempfile::tempdir().unwrap();
     for (name, content) in [
         (
@@ -285,7 +285,7 @@ fn a_file_of_another_program_is_named_and_left_alone() {
 }
 
 #[test]
-fn a_database_of_another_program_is_named_and_left_alone() {
+fn a_database_of_another_program_is_named_and_not_touched() {
     const TABLE: redb::TableDefinition<'_, u64, u64> = redb::TableDefinition::new("jobs");
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("other.redb");
@@ -304,7 +304,7 @@ fn a_database_of_another_program_is_named_and_left_alone() {
 }
 
 #[test]
-fn a_journal_of_a_newer_version_is_left_to_it() {
+fn a_journal_of_a_newer_version_is_not_touched() {
     const FACTS: redb::TableDefinition<'_, &str, u64> = redb::TableDefinition::new("dobot journal");
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.redb");
@@ -334,7 +334,7 @@ fn a_journal_of_a_newer_version_is_left_to_it() {
 }
 
 #[test]
-fn a_journal_of_the_first_format_is_read_and_gone_on_with() {
+fn a_journal_of_the_first_format_is_read_and_continued() {
     const FACTS: redb::TableDefinition<'_, &str, u64> = redb::TableDefinition::new("dobot journal");
     const JOBS: redb::TableDefinition<'_, u64, &[u8]> = redb::TableDefinition::new("jobs");
     const ROW: &str = r#"{"title":"a picture","kind":"drawing","dialect":"firmware-1.1",
@@ -363,7 +363,7 @@ fn a_journal_of_the_first_format_is_read_and_gone_on_with() {
 }
 
 #[test]
-fn what_a_person_changed_and_what_a_job_has_behind_it_come_back() {
+fn changes_by_a_person_and_the_progress_of_a_job_are_restored() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.redb");
     let journal = Journal::open(&path).unwrap();
@@ -401,7 +401,7 @@ fn what_a_person_changed_and_what_a_job_has_behind_it_come_back() {
 }
 
 #[test]
-fn a_pause_that_stands_nowhere_is_refused_with_where_it_may_stand() {
+fn an_invalid_pause_is_refused_with_the_allowed_places() {
     let journal = Journal::in_memory().unwrap();
     for (pauses, text) in [
         (
@@ -422,7 +422,7 @@ fn a_pause_that_stands_nowhere_is_refused_with_where_it_may_stand() {
 }
 
 #[test]
-fn a_request_that_is_sent_again_queues_one_job_also_after_a_crash() {
+fn a_repeated_request_queues_one_job_even_after_a_crash() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.redb");
     let asked = |key: &str, title: &str| PlannedJob {
@@ -448,7 +448,7 @@ fn a_request_that_is_sent_again_queues_one_job_also_after_a_crash() {
 }
 
 #[test]
-fn a_number_that_is_none_is_refused() {
+fn a_speed_that_is_not_finite_is_refused() {
     let journal = Journal::in_memory().unwrap();
     let id = journal.submit(&job("a picture", 3)).unwrap();
     for speed_percent in [f64::NAN, f64::INFINITY] {
@@ -470,7 +470,7 @@ fn pause(before: usize) -> JobPause {
 }
 
 #[test]
-fn a_journal_that_was_cut_short_is_told_and_left_alone() {
+fn a_truncated_journal_is_reported_and_not_touched() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.redb");
     let journal = Journal::open(&path).unwrap();
@@ -489,7 +489,7 @@ fn a_journal_that_was_cut_short_is_told_and_left_alone() {
 }
 
 #[test]
-fn what_a_crash_left_of_a_new_journal_is_no_hindrance() {
+fn an_unfinished_new_journal_left_by_a_crash_is_harmless() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.redb");
     fs::write(folder.path().join("journal.redb.new"), [0; 5000]).unwrap();
@@ -501,7 +501,7 @@ fn what_a_crash_left_of_a_new_journal_is_no_hindrance() {
 
 proptest! {
     #[test]
-    fn every_job_comes_back_bit_by_bit(
+    fn every_job_is_restored_bit_by_bit(
         title in ".{0,80}",
         created_ms in any::<i64>(),
         lift_mm in proptest::option::of(1e-30_f32..1e30),

@@ -353,7 +353,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stock_arm_burns_slow_lines_as_fast_as_asked_for() {
+    fn a_stock_arm_burns_slow_lines_at_the_requested_speed() {
         let lines = [0.0, 10.0].map(|y| {
             let begin = Point::new(200.0, y);
             Stroke::open(vec![begin, begin + Vec2::new(3.0, 3.0)])
@@ -367,7 +367,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_stock_arm_burns_lines_as_fast_as_asked_for(
+        fn a_stock_arm_burns_lines_at_the_requested_speed(
             burn_speed_mm_s in 1.0..15.0_f64,
             lines in proptest::collection::vec((0.0..360.0_f64, 0.2..2.0_f64), 1..4),
         ) {
@@ -384,7 +384,7 @@ mod tests {
         }
 
         #[test]
-        fn a_stock_arm_burns_a_stroke_from_its_beginning_to_its_end(
+        fn a_stock_arm_burns_a_stroke_from_its_start_to_its_end(
             stroke in stroke(),
             burn_speed_mm_s in prop_oneof![1.0..5.0_f64, 2.0..30.0_f64],
         ) {

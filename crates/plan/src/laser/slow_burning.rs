@@ -76,13 +76,13 @@ mod tests {
     }
 
     #[test]
-    fn a_line_is_burned_as_fast_as_asked_for() {
+    fn a_line_is_burned_at_the_requested_speed() {
         let lines = vec![line(&[(200.0, 0.0), (230.0, 0.0)])];
         assert_eq!(slow_burning(lines, 30.0), None);
     }
 
     #[test]
-    fn what_the_link_slows_down_is_reported_and_is_even_at_the_speed_that_is_reported() {
+    fn a_line_slowed_down_by_the_link_is_reported_and_even_at_the_reported_speed() {
         // Its packets take 80 ms each: 20 vectors of 0.8 mm allow 10 mm/s.
         let row: Vec<(f64, f64)> = (0..=20)
             .map(|i| (200.0 + 0.8 * f64::from(i), 0.0))

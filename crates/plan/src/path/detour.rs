@@ -73,14 +73,14 @@ mod tests {
     }
 
     #[test]
-    fn a_way_that_is_free_stays_straight() {
+    fn a_free_path_stays_straight() {
         let [a, b] = [Point::new(200.0, -100.0), Point::new(200.0, 100.0)];
         assert!(detour(a, b, 150.0).is_empty());
         assert_eq!(detour(a, a, 150.0), []);
     }
 
     #[test]
-    fn from_one_side_of_the_arm_to_the_other_it_leads_past_the_front() {
+    fn a_path_from_one_side_of_the_arm_to_the_other_passes_the_front() {
         let [a, b] = [Point::new(0.0, -220.0), Point::new(0.0, 220.0)];
         let way = whole(a, b, 150.0);
         assert!(way[1..way.len() - 1].iter().all(|p| p.x > 100.0), "{way:?}");
@@ -98,7 +98,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn no_way_leads_nearer_to_the_axis_than_its_ends_or_behind_it(
+        fn no_path_leads_nearer_to_the_axis_than_its_ends_or_behind_it(
             from in (100.0..320.0, -2.3..2.3),
             to in (100.0..320.0, -2.3..2.3),
             least_mm in 0.0..200.0,

@@ -33,7 +33,7 @@ impl Endpoint {
     /// Returns the endpoint of these increments, in mm, as far as it is known without their speeds.
     pub(crate) fn estimate(&self, here: [f64; 3], way: [f32; 3]) -> [f64; 3] {
         match &self.stock {
-            Some(it) => stock::behind(here, way, it.tool_mm),
+            Some(endpoint) => stock::behind(here, way, endpoint.tool_mm),
             None => [0, 1, 2].map(|i| here[i] + f64::from(way[i])),
         }
     }
@@ -44,7 +44,7 @@ impl Endpoint {
     pub(crate) fn after(&mut self, here: [f64; 3], vector: &PlannedVector) -> [f64; 3] {
         let way = [vector.x_mm, vector.y_mm, vector.z_mm];
         let way = match &mut self.stock {
-            Some(it) => it.ticker.displacement_mm(&write(vector)),
+            Some(endpoint) => endpoint.ticker.displacement_mm(&write(vector)),
             None => way,
         };
         self.estimate(here, way)

@@ -120,7 +120,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn two_parts_of_a_vector_lead_just_as_far_and_hardly_turn(
+        fn the_two_parts_of_a_divided_vector_cover_its_length_and_hardly_turn(
             way in [-200.0..200.0_f32, -200.0..200.0_f32, -1.0..1.0_f32],
             share in 0.01..0.99_f64,
         ) {

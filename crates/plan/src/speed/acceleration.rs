@@ -95,7 +95,7 @@ mod tests {
     use dobot_geometry::{Point, Stroke};
 
     #[test]
-    fn a_lone_line_accelerates_as_much_as_it_may() {
+    fn a_single_line_uses_the_full_acceleration() {
         let stroke = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(260.0, 0.0)]);
         let pass = Pass::new(DrawingTool::default(), vec![stroke]);
         let arm_limits = ArmLimits {

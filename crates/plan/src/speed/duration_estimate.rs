@@ -76,7 +76,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_way_takes_what_the_arm_or_the_link_needs() {
+    fn the_duration_of_a_vector_is_that_of_the_arm_or_the_link() {
         let estimator = DurationEstimator::of(&ArmLimits::default(), &DrawingTool::default());
         // 40 mm at 40 mm/s and 100 mm/s2: 0.4 s up, 0.4 s down over 8 mm each, 24 mm at full speed.
         let long = estimator.durations_s([[40.0, 0.0, 0.0]].into_iter());

@@ -179,7 +179,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(2000))]
 
         #[test]
-        fn no_joint_turns_faster_than_it_may(
+        fn no_joint_exceeds_its_speed(
             reach_mm in 129.0..321.0_f64,
             base_rad in -3.0..3.0_f64,
             z in -180.0..140.0_f64,

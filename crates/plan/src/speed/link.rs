@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn short_vectors_may_follow_a_long_one_until_none_waits() {
+    fn short_vectors_may_follow_a_long_one_until_none_is_queued() {
         let mut credit = Credit::new(LinkRate { period_s: 0.08 });
         assert_eq!(credit.least_s(), 0.08);
         credit.take(1.0);
@@ -74,7 +74,7 @@ mod tests {
     }
 
     #[test]
-    fn a_vector_that_comes_in_pieces_leaves_less_time_for_others_to_come() {
+    fn a_vector_in_pieces_leaves_less_time_for_others_to_arrive() {
         let mut credit = Credit::new(LinkRate { period_s: 0.08 }).with_pieces(0.2);
         // Two packets; a quarter of the next one has arrived.
         credit.take(0.22);

@@ -298,7 +298,7 @@ mod tests {
     }
 
     #[test]
-    fn a_polygon_is_run_as_fast_as_the_circle_that_it_stands_for() {
+    fn a_polygon_is_run_at_the_speed_of_its_circle() {
         // 72 vectors around a circle of 4 mm: v2 = a R, where the arcs touch the vectors in their
         // middle and so have the radius of the inscribed circle.
         let turn = TAU / 72.0;
@@ -318,7 +318,7 @@ mod tests {
     }
 
     #[test]
-    fn at_a_sharp_corner_the_tool_is_no_further_away_than_the_acceleration_allows() {
+    fn at_a_sharp_corner_the_tool_deviates_no_more_than_the_acceleration_allows() {
         // Right angle, braking and accelerating with a: 0.08 s from the corner the distance is v h
         // + a h2 / 2 on both sides, and the second difference is sqrt(2) times that.
         let v = speeds(&[run(0.0, 50.0, 90.0), run(90.0, 50.0, 90.0)])[1];
@@ -328,7 +328,7 @@ mod tests {
     }
 
     #[test]
-    fn straight_on_the_limit_counts_and_turning_back_stops() {
+    fn at_a_straight_join_the_limit_applies_and_at_a_reversal_the_tool_stops() {
         let straight = speeds(&[run(0.0, 50.0, 30.0), run(0.0, 50.0, 20.0)]);
         assert_eq!(straight, [0.0, 20.0, 0.0]);
         let back = speeds(&[run(0.0, 50.0, 30.0), run(180.0, 50.0, 20.0)]);
@@ -337,7 +337,7 @@ mod tests {
 
     #[test]
     fn a_long_straight_brakes_in_time_for_its_end() {
-        // v2 = 2 a s: 1 mm before the end 200, 2 mm before it 400, whatever the limit.
+        // v2 = 2 a s: 1 mm before the end 200, 2 mm before it 400, for any limit.
         let chain = [
             run(0.0, 50.0, 90.0),
             run(0.0, 1.0, 90.0),
@@ -370,7 +370,7 @@ mod tests {
         }
 
         #[test]
-        fn what_a_half_arc_takes_is_what_small_steps_take(
+        fn the_duration_of_a_half_arc_is_that_of_small_steps(
             turn in 0.05..1.6_f64, share in 0.01..0.99_f64, radius_mm in 0.05..50.0_f64,
         ) {
             let a = 100.0;

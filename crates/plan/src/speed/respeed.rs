@@ -221,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn no_joint_is_overdriven_however_fast_it_is_to_be() {
+    fn no_joint_is_overdriven_at_any_requested_speed() {
         // Past the axis of the base at 70 mm, where 100 degrees per second are 122 mm/s.
         let sideways = WriteVector {
             y_mm: 200.0,
@@ -253,7 +253,7 @@ mod tests {
     }
 
     #[test]
-    fn half_the_speed_is_half_of_every_speed() {
+    fn half_the_speed_halves_every_speed() {
         let planned = planned(&[(200.0, 0.0), (240.0, 0.0), (250.0, 5.0), (250.0, 6.0)]);
         for (half, whole) in respeed(&planned, &begin(0.0), 0.5, &ArmLimits::default())
             .iter()
@@ -311,13 +311,13 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_share_of_one_from_rest_changes_nothing(points in strokes()) {
+        fn a_factor_of_one_from_rest_changes_nothing(points in strokes()) {
             let planned = planned(&points);
             prop_assert_eq!(respeed(&planned, &begin(0.0), 1.0, &ArmLimits::default()), planned);
         }
 
         #[test]
-        fn a_stock_arm_makes_vectors_of_another_length_as_long_as_they_are(
+        fn vectors_of_changed_length_end_correctly_on_a_stock_arm(
             points in strokes(), slope in -0.05..0.05_f32, at_mm_s in 0.0..1.5_f32,
         ) {
             let arm_limits = ArmLimits { has_ticks: true, ..ArmLimits::default() };
@@ -339,7 +339,7 @@ mod tests {
         }
 
         #[test]
-        fn speeds_meet_and_can_be_had_and_the_end_is_a_rest(
+        fn speeds_match_and_are_reachable_and_the_end_is_at_rest(
             points in strokes(), share in 0.1..2.0_f64, at in 0.0..1.0_f64, before in 0.1..2.0_f64,
         ) {
             let arm_limits = ArmLimits::default();

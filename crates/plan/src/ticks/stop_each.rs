@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn the_slowest_vector_is_over_in_seconds_whatever_a_stock_arm_has_kept() {
+    fn the_slowest_vector_takes_seconds_for_any_residual_speed_of_a_stock_arm() {
         // 6 mm/s at 10 %. At the residual speed, 1.66 mm would take 50 * 1.66 / 0.0044 ticks: 375
         // s.
         let vector = WriteVector::by(1.664_266, 0.0, 0.0, 6.0);
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn the_arm_runs_out_behind_a_laser_with_the_speed_that_it_burned_with() {
+    fn the_arm_coasts_after_a_laser_at_its_burning_speed() {
         let burn = WriteVector {
             mode: WriteMode::Laser,
             laser: true,
@@ -128,13 +128,13 @@ mod tests {
     }
 
     #[test]
-    fn what_is_planned_from_rest_to_rest_stays_as_it_is() {
+    fn a_vector_planned_from_rest_to_rest_is_unchanged() {
         let planned = [WriteVector::by(3.0, 1.0, 0.0, 41.0)];
         assert_eq!(stop_each(&planned, 1.0, &STOCK), planned);
     }
 
     #[test]
-    fn an_arm_as_the_document_says_goes_as_slowly_as_it_is_reported() {
+    fn an_arm_of_the_specification_moves_at_the_reported_low_speed() {
         let vector = WriteVector::by(1.6, 0.0, 0.0, 6.0);
         let slow = stop_each(&[vector], 0.1, &ArmLimits::default())[0];
         assert!((slow.max_speed_mm_s - 0.6).abs() < 1e-6, "{slow:?}");
@@ -143,7 +143,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_stock_arm_ends_each_of_them_where_it_should_and_soon(
+        fn a_stock_arm_ends_each_vector_at_its_place_and_soon(
             lengths_mm in prop::collection::vec(0.05..50.0_f32, 1..8),
             acceleration_mm_s2 in 20.0..200.0_f64,
             max_mm_s in 1.0..100.0_f32,

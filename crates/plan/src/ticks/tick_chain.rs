@@ -479,7 +479,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_repaired_chain_runs_true_and_keeps_up_with_the_link(
+        fn a_repaired_chain_is_exact_and_keeps_up_with_the_link(
             candidates in proptest::collection::vec([-3.0..3.0_f32, 0.1..3.0_f32], 2..60),
             slower in proptest::collection::vec((0..60_usize, 0.1..0.9_f64), 1..6),
         ) {

@@ -424,7 +424,7 @@ mod tests {
     }
 
     #[test]
-    fn an_arm_that_brakes_for_a_corner_may_go_on_for_a_while_and_brake_then() {
+    fn an_arm_that_brakes_for_a_corner_may_first_continue_and_then_brake() {
         // From 40 mm/s with 2 mm/s less each tick: 13 ticks at b and 18 that brake cover 15.9 mm =
         // (31 b - 18 * 19) / 50 with b = 36.7 mm/s, which leaves 0.7 mm/s.
         let wanted = target(15.9, [40.0, 0.5, 40.0], false);
@@ -438,7 +438,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_vector_is_as_long_as_it_should_be(
+        fn every_vector_has_its_planned_length(
             length_mm in 0.012..150.0_f32,
             stored in prop_oneof![0.0..60.0_f32, (-9.0..0.0_f32).prop_map(|power| 10.0_f32.powf(power))],
             end in 0.0..60.0_f64,
@@ -461,7 +461,7 @@ mod tests {
         }
 
         #[test]
-        fn a_vector_to_a_rest_does_not_creep_however_long_the_link_takes(
+        fn a_vector_to_rest_does_not_creep_on_any_slow_link(
             length_mm in 0.012..10.0_f32,
             stored in (-9.0..0.0_f32).prop_map(|power| 10.0_f32.powf(power)),
             max in 0.2..80.0_f64,

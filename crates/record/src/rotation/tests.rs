@@ -155,7 +155,7 @@ fn a_new_arm_is_reported_in_the_middle_of_a_file_and_in_the_next() {
 }
 
 #[test]
-fn more_topics_than_a_file_has_room_for_get_another_file() {
+fn topics_beyond_the_limit_of_a_file_get_another_file() {
     let folder = tempfile::tempdir().unwrap();
     let mut rotation = rotation(folder.path());
     let schema = serde_json::json!({ "type": "object" });
@@ -300,7 +300,7 @@ fn at_rest_a_killed_program_loses_the_latest_repeats_and_of_anything_new_a_secon
 }
 
 #[test]
-fn records_that_were_lost_are_reported_behind_what_came_before_them() {
+fn lost_records_are_reported_after_those_before_them() {
     let folder = tempfile::tempdir().unwrap();
     let mut rotation = rotation(folder.path());
     for n in 0..5 {

@@ -145,13 +145,13 @@ impl Summaries {
 
     /// The summaries in the form of `stats.json`.
     pub(crate) fn to_json(&self) -> Value {
-        let each = FEATURES.iter().zip(&self.0).map(|(feature, it)| {
+        let each = FEATURES.iter().zip(&self.0).map(|(feature, summary)| {
             let stats = json!({
-                "min": it.min,
-                "max": it.max,
-                "mean": it.mean,
-                "std": it.std(),
-                "count": [it.count],
+                "min": summary.min,
+                "max": summary.max,
+                "mean": summary.mean,
+                "std": summary.std(),
+                "count": [summary.count],
             });
             (feature.name.to_owned(), stats)
         });
@@ -174,13 +174,13 @@ impl Summaries {
 
     /// The cells of these columns.
     pub(crate) fn cells(&self) -> impl Iterator<Item = Cell> {
-        self.0.iter().flat_map(|it| {
+        self.0.iter().flat_map(|summary| {
             [
-                Cell::Doubles(it.min.clone()),
-                Cell::Doubles(it.max.clone()),
-                Cell::Doubles(it.mean.clone()),
-                Cell::Doubles(it.std()),
-                Cell::Integers(vec![it.count.into()]),
+                Cell::Doubles(summary.min.clone()),
+                Cell::Doubles(summary.max.clone()),
+                Cell::Doubles(summary.mean.clone()),
+                Cell::Doubles(summary.std()),
+                Cell::Integers(vec![summary.count.into()]),
             ]
         })
     }

@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn between_two_statuses_the_arm_is_taken_to_turn_evenly() {
+    fn between_two_statuses_the_arm_is_assumed_to_turn_evenly() {
         let found = angles(&[sample(500, 0.0), sample(580, 8.0), sample(700, 20.0)]);
         assert_eq!(
             found,
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn after_a_silence_or_a_time_that_goes_back_an_episode_begins() {
+    fn an_episode_begins_after_a_silence_or_a_time_that_goes_back() {
         assert_eq!(
             angles(&[sample(0, 1.0), sample(1001, 2.0)]),
             [(0, 1.0), (0, 2.0)]
@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn the_pump_switches_when_a_status_says_so_and_not_before() {
+    fn the_pump_switches_at_its_status_and_not_before() {
         let mut frames = Frames::default();
         let mut on = sample(100, 0.0);
         on.status.suction = true;

@@ -76,11 +76,11 @@ fn empty(column: Column) -> TableColumn {
 fn push(columns: &mut [TableColumn], cells: Vec<Cell>) {
     for (column, cell) in columns.iter_mut().zip(cells) {
         match (&mut column.values, cell) {
-            (Values::Times(all), Cell::Time(it)) => all.push(it),
-            (Values::Floats(all), Cell::Float(it)) => all.push(it),
-            (Values::Doubles(all), Cell::Double(it)) => all.push(it),
-            (Values::Truths(all), Cell::Truth(it)) => all.push(it),
-            (Values::Texts(all), Cell::Text(it)) => all.push(it),
+            (Values::Times(all), Cell::Time(value)) => all.push(value),
+            (Values::Floats(all), Cell::Float(value)) => all.push(value),
+            (Values::Doubles(all), Cell::Double(value)) => all.push(value),
+            (Values::Truths(all), Cell::Truth(value)) => all.push(value),
+            (Values::Texts(all), Cell::Text(value)) => all.push(value),
             (_, cell) => unreachable!("{cell:?} is in the column {}", column.name),
         }
     }

@@ -119,12 +119,12 @@ impl Buffer {
 
     fn push(&mut self, cell: Cell) {
         let list_len = match &cell {
-            Cell::Integers(it) => it.len(),
-            Cell::Floats(it) => it.len(),
-            Cell::Doubles(it) => it.len(),
-            Cell::Texts(it) => it.len(),
-            Cell::Text(it) => {
-                self.levels.push(it.is_some().into());
+            Cell::Integers(values) => values.len(),
+            Cell::Floats(values) => values.len(),
+            Cell::Doubles(values) => values.len(),
+            Cell::Texts(values) => values.len(),
+            Cell::Text(text) => {
+                self.levels.push(text.is_some().into());
                 0
             }
             _ => 0,
@@ -132,15 +132,15 @@ impl Buffer {
         self.levels.extend((0..list_len).map(|n| i16::from(n > 0)));
         let bytes = |text: String| ByteArray::from(text.into_bytes());
         match (&mut self.values, cell) {
-            (Values::Integer(all), Cell::Time(it) | Cell::Integer(it)) => all.push(it),
-            (Values::Integer(all), Cell::Integers(it)) => all.extend(it),
-            (Values::Float(all), Cell::Float(it)) => all.push(it),
-            (Values::Float(all), Cell::Floats(it)) => all.extend(it),
-            (Values::Double(all), Cell::Double(it)) => all.push(it),
-            (Values::Double(all), Cell::Doubles(it)) => all.extend(it),
-            (Values::Truth(all), Cell::Truth(it)) => all.push(it),
-            (Values::Text(all), Cell::Text(it)) => all.extend(it.map(bytes)),
-            (Values::Text(all), Cell::Texts(it)) => all.extend(it.into_iter().map(bytes)),
+            (Values::Integer(all), Cell::Time(value) | Cell::Integer(value)) => all.push(value),
+            (Values::Integer(all), Cell::Integers(values)) => all.extend(values),
+            (Values::Float(all), Cell::Float(value)) => all.push(value),
+            (Values::Float(all), Cell::Floats(values)) => all.extend(values),
+            (Values::Double(all), Cell::Double(value)) => all.push(value),
+            (Values::Double(all), Cell::Doubles(values)) => all.extend(values),
+            (Values::Truth(all), Cell::Truth(value)) => all.push(value),
+            (Values::Text(all), Cell::Text(text)) => all.extend(text.map(bytes)),
+            (Values::Text(all), Cell::Texts(texts)) => all.extend(texts.into_iter().map(bytes)),
             (_, other) => unreachable!("{other:?} is in a column of {:?}", self.kind),
         }
     }

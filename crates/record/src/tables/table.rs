@@ -102,12 +102,12 @@ impl<W: Write + Send> fmt::Debug for Table<W> {
 fn text(cell: &Cell) -> String {
     match cell {
         Cell::Time(ns) => Timestamp::from_nanosecond(i128::from(*ns))
-            .map_or_else(|_| ns.to_string(), |it| it.to_string()),
-        Cell::Integer(it) => it.to_string(),
-        Cell::Float(it) => it.to_string(),
-        Cell::Double(it) => it.to_string(),
-        Cell::Truth(it) => it.to_string(),
-        Cell::Text(it) => it.clone().unwrap_or_default(),
+            .map_or_else(|_| ns.to_string(), |time| time.to_string()),
+        Cell::Integer(value) => value.to_string(),
+        Cell::Float(value) => value.to_string(),
+        Cell::Double(value) => value.to_string(),
+        Cell::Truth(value) => value.to_string(),
+        Cell::Text(text) => text.clone().unwrap_or_default(),
         Cell::Integers(_) | Cell::Floats(_) | Cell::Doubles(_) | Cell::Texts(_) => String::new(),
     }
 }

@@ -147,7 +147,7 @@ fn parquet_holds_what_csv_holds() {
 }
 
 #[test]
-fn a_stretch_holds_what_happened_in_it() {
+fn an_excerpt_contains_the_events_within_it() {
     let folder = tempfile::tempdir().unwrap();
     let file = recorded(folder.path(), session());
     let stretch = Duration::from_millis(100)..=Duration::from_millis(260);
@@ -234,7 +234,7 @@ fn nothing_is_left_of_a_dataset_that_cannot_be_made() {
 }
 
 #[test]
-fn a_recording_that_breaks_off_anywhere_is_exported_up_to_there() {
+fn a_truncated_recording_is_exported_up_to_its_end() {
     let folder = tempfile::tempdir().unwrap();
     let file = recorded(folder.path(), session());
     let whole = std::fs::read(&file).unwrap();
@@ -293,7 +293,7 @@ fn columns_in_memory_hold_what_csv_holds() {
 }
 
 #[test]
-fn files_that_are_there_are_written_over_only_where_that_is_asked_for() {
+fn existing_files_are_overwritten_only_on_request() {
     let folder = tempfile::tempdir().unwrap();
     let file = recorded(folder.path(), session());
     let out = folder.path().join("run.csv");

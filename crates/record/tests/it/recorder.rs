@@ -16,7 +16,7 @@ fn recorder(folder: &std::path::Path) -> Recorder {
 }
 
 #[test]
-fn what_does_not_fit_is_counted_and_the_file_states() {
+fn records_that_do_not_fit_are_counted_and_the_file_states_the_count() {
     let folder = tempfile::tempdir().unwrap();
     let recorder = recorder(folder.path());
     let topic = Topic::new("/big", "x.Big", &json!({ "type": "object" })).unwrap();
@@ -65,7 +65,7 @@ fn a_flood_is_recorded_or_counted_and_nothing_else() {
 }
 
 #[test]
-fn limits_and_clocks_that_make_no_sense_are_refused() {
+fn invalid_limits_and_clocks_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let start = |limits, start: &str| {
         let start = start.parse().unwrap();

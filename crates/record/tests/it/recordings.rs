@@ -76,7 +76,7 @@ static WHOLE: LazyLock<Vec<u8>> = LazyLock::new(|| {
 });
 
 #[test]
-fn what_was_recorded_is_read_again_with_its_time() {
+fn recorded_data_is_read_back_with_its_time() {
     let (moments, recording) = read(WHOLE.clone());
     assert_eq!(recording.damage(), None);
     assert_eq!(recording.about(), Some(&about()));
@@ -130,7 +130,7 @@ fn the_reader_of_the_format_itself_finds_messages_schemas_and_index() {
 }
 
 #[test]
-fn a_file_that_breaks_off_anywhere_loses_no_chunk_that_was_written() {
+fn a_truncated_file_loses_no_chunk_that_was_written() {
     let summary = mcap::Summary::read(&WHOLE).unwrap().expect("it has one");
     let mut chunks: Vec<_> = summary.chunk_indexes.iter().collect();
     chunks.sort_by_key(|chunk| chunk.chunk_start_offset);
@@ -161,7 +161,7 @@ fn a_file_that_breaks_off_anywhere_loses_no_chunk_that_was_written() {
 }
 
 #[test]
-fn what_is_no_recording_is_refused() {
+fn a_file_that_is_not_a_recording_is_refused() {
     for bytes in [&b"x"[..], b"\x89PNG\r\n\x1a\n", b"hello, world", &[0; 100]] {
         let error = Recording::over(Cursor::new(bytes.to_vec())).unwrap_err();
         assert!(error.to_string().contains("not a recording"), "{error}");
@@ -175,7 +175,7 @@ fn file_of(kind: u8, len: u64, body: &[u8]) -> Vec<u8> {
 }
 
 #[test]
-fn lengths_that_a_file_makes_up_cost_no_memory() {
+fn false_lengths_in_a_file_cost_no_memory() {
     let chunk = |uncompressed: u64, compression: &[u8], records: u64| {
         let compression_len = u32::try_from(compression.len()).unwrap();
         [
@@ -211,7 +211,7 @@ fn lengths_that_a_file_makes_up_cost_no_memory() {
 }
 
 #[test]
-fn a_topic_whose_name_is_a_book_is_damage() {
+fn a_topic_with_an_overlong_name_is_damage() {
     let text = |text: &str| {
         [
             &u32::try_from(text.len()).unwrap().to_le_bytes(),
@@ -248,7 +248,7 @@ fn any_record() -> impl Strategy<Value = Record> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(32))]
     #[test]
-    fn anything_that_is_recorded_is_read_again(
+    fn all_recorded_data_is_read_back(
         records in vec((0..100_000_000_000_u64, any_record()), 1..60),
     ) {
         let folder = tempfile::tempdir().unwrap();
@@ -288,7 +288,7 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
     #[test]
-    fn damage_costs_what_comes_after_it_at_the_most_and_never_panics(
+    fn damage_costs_at_most_the_data_after_it_and_never_panics(
         hits in vec((8..WHOLE.len(), any::<u8>()), 1..8),
     ) {
         let mut file = WHOLE.clone();
@@ -308,7 +308,7 @@ proptest! {
     }
 
     #[test]
-    fn records_that_make_no_sense_never_panic(
+    fn invalid_records_never_panic(
         records in vec((1..16_u8, vec(any::<u8>(), 0..60)), 1..20),
         compress in any::<bool>(),
     ) {

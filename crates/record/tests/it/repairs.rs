@@ -83,7 +83,7 @@ fn message(moments: &[Moment]) -> &Value {
 }
 
 #[test]
-fn a_file_that_breaks_off_anywhere_is_whole_after_the_next_start() {
+fn a_truncated_file_is_complete_after_the_next_start() {
     let whole = session();
     // Through all of its content, and the end mark byte by byte.
     let lengths = (0..whole.len())
@@ -142,7 +142,7 @@ fn samples() {
 }
 
 #[test]
-fn a_file_that_was_ended_in_order_and_one_that_is_being_written_are_left_alone() {
+fn a_properly_closed_file_and_one_being_written_are_not_touched() {
     let folder = folder();
     let whole = session();
     let ended = file(folder.path());
@@ -192,7 +192,7 @@ fn damage_in_the_middle_costs_its_chunk_and_is_reported() {
 }
 
 #[test]
-fn a_repair_that_was_killed_is_done_anew_and_leaves_nothing() {
+fn an_interrupted_repair_is_done_again_and_leaves_nothing() {
     let whole = session();
     let folder = folder();
     let file = file(folder.path());

@@ -61,7 +61,7 @@ fn messages(file: &Path, topic: &str) -> Vec<(u64, Value)> {
 const NOON_NS: u64 = 1_795_262_400_000_000_000;
 
 #[test]
-fn a_status_that_comes_again_is_one_message_with_the_gaps_between_its_times() {
+fn a_repeated_status_is_one_message_with_the_gaps_between_its_times() {
     let folder = tempfile::tempdir().unwrap();
     let times_ms = [0, 80, 160, 241, 320];
     let at = |ms: u64| Duration::from_millis(ms);
@@ -107,8 +107,7 @@ fn repeats_are_reported_every_ten_seconds() {
 }
 
 #[test]
-fn a_repeat_that_a_serial_port_cut_came_when_it_was_whole_and_what_is_not_whole_is_kept_as_it_came()
-{
+fn a_split_repeat_has_the_time_of_its_last_piece_and_an_incomplete_one_is_kept_as_it_is() {
     let folder = tempfile::tempdir().unwrap();
     let bytes = status(false).repeat(4);
     // Three complete ones, two of them in pieces, and 33 bytes of a fourth.
@@ -150,7 +149,7 @@ fn next() -> impl Strategy<Value = (i64, Next)> {
         1 => Just(Next::Sent),
         1 => Just(Next::Event),
     ];
-    // Time sometimes stands still or goes back, which it should not.
+    // Time sometimes stops or goes back, which it should not.
     let gap_ns = prop_oneof![
         20 => 0..200_000_000_i64,
         2 => Just(0_i64),
@@ -217,7 +216,7 @@ impl Heard {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
     #[test]
-    fn whatever_comes_again_in_whatever_pieces_keeps_its_times_and_its_order(
+    fn repeats_in_any_pieces_keep_their_times_and_their_order(
         list in vec(next(), 1..80),
     ) {
         let folder = tempfile::tempdir().unwrap();

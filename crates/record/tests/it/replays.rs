@@ -73,7 +73,7 @@ async fn the_same_client_sees_the_same_and_does_the_same() {
 }
 
 #[tokio::test]
-async fn a_client_that_does_something_else_is_reported_with_time_expected_and_found() {
+async fn a_client_that_acts_differently_is_reported_with_time_expected_and_found() {
     let folder = tempfile::tempdir().unwrap();
     let (file, _) = recorded(folder.path()).await;
     let replay = Replay::open(file).unwrap();
@@ -96,7 +96,7 @@ async fn a_client_that_does_something_else_is_reported_with_time_expected_and_fo
 }
 
 #[tokio::test]
-async fn a_client_that_says_nothing_misses_what_was_recorded() {
+async fn a_client_that_sends_nothing_misses_the_recorded_packets() {
     let folder = tempfile::tempdir().unwrap();
     let (file, _) = recorded(folder.path()).await;
     let mut replay = Replay::open(file).unwrap();
@@ -116,7 +116,7 @@ async fn a_client_that_says_nothing_misses_what_was_recorded() {
 }
 
 #[test]
-fn a_recording_without_anything_on_the_wire_is_over_at_once() {
+fn a_recording_without_packets_is_over_at_once() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("empty.mcap");
     std::fs::write(&file, mcap::MAGIC).unwrap();

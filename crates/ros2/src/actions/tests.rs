@@ -37,7 +37,7 @@ fn near(found: [f64; 4], expected: [f64; 4], tolerance: f64) {
 }
 
 #[tokio::test]
-async fn both_arms_follow_a_trajectory_to_its_end_in_the_time_that_was_wanted() {
+async fn both_arms_follow_a_trajectory_to_its_end_in_the_requested_time() {
     for personality in [Personality::Specification, Personality::Firmware11] {
         let mut station = station(personality);
         let points: [(&[f64], f64); 3] = [
@@ -69,7 +69,7 @@ async fn both_arms_follow_a_trajectory_to_its_end_in_the_time_that_was_wanted() 
 }
 
 #[tokio::test]
-async fn a_trajectory_that_the_policy_forbids_moves_nothing_and_says_why() {
+async fn a_trajectory_that_the_policy_forbids_moves_nothing_and_is_refused_with_the_reason() {
     let mut station = station(Personality::Firmware11);
     let before = where_it_stands(&mut station).await;
     let (wanted, plan) = planned(&mut station, &[(&[170.0, 45.0, 45.0], 8.0)]).await;
@@ -82,7 +82,7 @@ async fn a_trajectory_that_the_policy_forbids_moves_nothing_and_says_why() {
 }
 
 #[tokio::test]
-async fn a_cancelled_trajectory_holds_on_its_way_and_leaves_no_job_behind() {
+async fn a_cancelled_trajectory_holds_on_its_path_and_leaves_no_job_behind() {
     let mut station = station(Personality::Specification);
     let (wanted, plan) = planned(
         &mut station,
@@ -110,7 +110,7 @@ async fn a_cancelled_trajectory_holds_on_its_way_and_leaves_no_job_behind() {
 }
 
 #[tokio::test]
-async fn an_end_that_is_farther_off_than_the_goal_allows_is_told() {
+async fn an_end_outside_the_tolerance_of_the_goal_is_reported() {
     let mut station = station(Personality::Specification);
     let (mut wanted, _) = planned(&mut station, &[(&[10.0, 45.0, 45.0], 1.0)]).await;
     wanted.end_deg[0] = Some(1.0);
@@ -120,7 +120,7 @@ async fn an_end_that_is_farther_off_than_the_goal_allows_is_told() {
 }
 
 #[tokio::test]
-async fn pump_and_gripper_do_as_they_are_told_and_the_arm_stays() {
+async fn pump_and_gripper_obey_and_the_arm_does_not_move() {
     let mut station = station(Personality::Firmware11);
     let before = where_it_stands(&mut station).await;
     suction(&mut station, true).await.expect("it is allowed");
@@ -137,7 +137,7 @@ async fn pump_and_gripper_do_as_they_are_told_and_the_arm_stays() {
 }
 
 #[tokio::test]
-async fn an_arm_that_is_stopped_goes_nowhere_and_says_who_has_to_look() {
+async fn a_stopped_arm_refuses_to_move_and_asks_for_a_check_by_a_person() {
     let mut station = station(Personality::Specification);
     let text = stop(&mut station, "a hand").await.expect("anyone may");
     assert!(text.contains("a person must check"), "{text}");

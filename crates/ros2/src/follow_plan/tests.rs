@@ -50,7 +50,7 @@ fn wave(points: u32, within_s: f64) -> Wanted {
 }
 
 #[test]
-fn a_straight_way_of_many_points_is_one_target_in_the_time_that_was_wanted() {
+fn a_straight_path_of_many_points_is_one_target_in_the_requested_time() {
     let places: Vec<[f64; 4]> = (1..=40).map(|n| [f64::from(n), 45.0, 45.0, 0.0]).collect();
     let points: Vec<(&[f64], f64)> = places
         .iter()
@@ -73,7 +73,7 @@ fn a_straight_way_of_many_points_is_one_target_in_the_time_that_was_wanted() {
 }
 
 #[test]
-fn no_more_targets_are_sent_than_there_are_permits_and_the_deviation_is_told() {
+fn no_more_targets_are_sent_than_there_are_permits_and_the_deviation_is_reported() {
     // 2 s are 25 periods of 80 ms: 12 targets with a speed each.
     let plan = plan(&wave(400, 2.0)).expect("it can be followed");
     assert_eq!(targets(&plan).len(), 12);
@@ -86,7 +86,7 @@ fn no_more_targets_are_sent_than_there_are_permits_and_the_deviation_is_told() {
 }
 
 #[test]
-fn a_path_tolerance_that_the_link_cannot_keep_is_told_before_anything_moves() {
+fn a_path_tolerance_that_the_link_cannot_keep_is_reported_before_anything_moves() {
     let mut wanted = wave(400, 2.0);
     wanted.path_deg[0] = Some(0.5);
     let fault = plan(&wanted).unwrap_err();
@@ -95,7 +95,7 @@ fn a_path_tolerance_that_the_link_cannot_keep_is_told_before_anything_moves() {
 }
 
 #[test]
-fn a_time_that_the_arm_cannot_keep_is_told_before_anything_moves_where_it_matters() {
+fn a_duration_that_the_arm_cannot_keep_is_reported_before_anything_moves_if_it_matters() {
     // 90 degrees in a second: 100 degrees/s2 reach only 25 in that time.
     let mut fast = wanted(&[(&[90.0, 45.0, 45.0, 0.0], 1.0)]);
     let late = plan(&fast).expect("without a tolerance");
@@ -109,7 +109,7 @@ fn a_time_that_the_arm_cannot_keep_is_told_before_anything_moves_where_it_matter
 }
 
 #[test]
-fn where_the_trajectory_stands_the_arm_waits() {
+fn the_arm_waits_while_the_trajectory_is_at_rest() {
     let place: &[f64] = &[20.0, 45.0, 45.0, 0.0];
     let back: &[f64] = &[0.0, 45.0, 45.0, 0.0];
     let plan = plan(&wanted(&[(place, 2.0), (place, 5.0), (back, 7.0)]));
@@ -124,7 +124,7 @@ fn where_the_trajectory_stands_the_arm_waits() {
 }
 
 #[test]
-fn a_slow_way_is_divided_so_that_the_arm_can_hold_soon() {
+fn a_slow_path_is_divided_so_that_the_arm_can_hold_soon() {
     let plan = plan(&wanted(&[(&[60.0, 45.0, 45.0, 0.0], 11.0)]));
     let plan = plan.expect("it can be followed");
     let found: Vec<f32> = targets(&plan)
@@ -138,7 +138,7 @@ fn a_slow_way_is_divided_so_that_the_arm_can_hold_soon() {
 }
 
 #[test]
-fn a_trajectory_to_where_the_arm_stands_moves_nothing() {
+fn a_trajectory_to_the_current_place_moves_nothing() {
     let plan = plan(&wanted(&[(&[0.0, 45.0, 45.0, 0.0], 1.0)]));
     assert!(plan.expect("it can be followed").job.commands.is_empty());
 }
@@ -156,7 +156,7 @@ fn waits_shorter_than_a_tick_add_up() {
 }
 
 #[test]
-fn the_speed_of_power_up_comes_back_at_the_end() {
+fn the_power_up_speed_is_restored_at_the_end() {
     let plan = plan(&wanted(&[(&[20.0, 45.0, 45.0, 0.0], 4.0)]));
     let commands = plan.expect("it can be followed").job.commands;
     let percents: Vec<f32> = commands

@@ -51,7 +51,7 @@ fn near(found: [f64; 4], expected: [f64; 4]) {
 }
 
 #[test]
-fn joints_come_in_any_order_and_those_without_a_name_stay() {
+fn joints_may_come_in_any_order_and_unnamed_ones_do_not_move() {
     let goal = goal(
         &["fore", "base"],
         &[(&[50.0, 10.0], 1.0), (&[55.0, 20.0], 2.0)],
@@ -66,7 +66,7 @@ fn joints_come_in_any_order_and_those_without_a_name_stay() {
 }
 
 #[test]
-fn a_first_point_at_zero_is_where_the_arm_stands_or_the_goal_is_refused() {
+fn a_first_point_at_time_zero_is_the_current_place_or_the_goal_is_refused() {
     let begins = |base: f64| goal(&["base"], &[(&[base], 0.0), (&[20.0], 2.0)]);
     let found = wanted(&begins(0.4)).expect("it is near enough");
     // From its actual position.
@@ -79,7 +79,7 @@ fn a_first_point_at_zero_is_where_the_arm_stands_or_the_goal_is_refused() {
 }
 
 #[test]
-fn what_makes_no_sense_is_told_with_what_does() {
+fn an_invalid_goal_is_refused_with_what_is_allowed() {
     use FaultCode::{InvalidGoal, InvalidJoints};
     for (goal, code, says) in [
         (
@@ -131,7 +131,7 @@ fn what_makes_no_sense_is_told_with_what_does() {
 }
 
 #[test]
-fn speeds_that_are_no_numbers_and_forces_are_refused() {
+fn invalid_speeds_and_forces_are_refused() {
     let plain = goal(&["base"], &[(&[1.0], 1.0)]);
     let mut speeds = plain.clone();
     speeds.trajectory.points[0].velocities = vec![f64::NAN];
@@ -142,7 +142,7 @@ fn speeds_that_are_no_numbers_and_forces_are_refused() {
 }
 
 #[test]
-fn a_trajectory_is_followed_now_and_not_later_nor_when_it_is_over() {
+fn a_trajectory_starts_now_and_not_later_or_after_its_end() {
     let mut goal = goal(&["base"], &[(&[1.0], 5.0)]);
     goal.trajectory.header.stamp = Time::new(998, 0);
     assert!(wanted(&goal).is_ok());
@@ -154,7 +154,7 @@ fn a_trajectory_is_followed_now_and_not_later_nor_when_it_is_over() {
 }
 
 #[test]
-fn a_tolerance_of_zero_is_none_and_one_below_zero_is_any() {
+fn a_tolerance_of_zero_is_the_default_and_a_negative_one_is_unlimited() {
     let mut goal = goal(&["base"], &[(&[1.0], 5.0)]);
     let tolerance = |name: &str, position| JointTolerance {
         name: name.to_owned(),
@@ -176,7 +176,7 @@ fn a_tolerance_of_zero_is_none_and_one_below_zero_is_any() {
 
 proptest! {
     #[test]
-    fn whatever_comes_what_is_followed_has_times_that_rise_from_where_the_arm_stands(
+    fn the_times_of_any_accepted_trajectory_rise_from_the_current_place(
         points in prop::collection::vec((prop::collection::vec(prop::num::f64::ANY, 0..4), prop::num::f64::ANY), 0..6),
         names in prop::sample::subsequence(vec!["base", "rear", "fore", "servo", "elbow"], 0..5),
         stamp in any::<(i32, u32)>(),

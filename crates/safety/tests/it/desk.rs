@@ -8,7 +8,7 @@ use dobot_wire::{
     MovingMode, WriteVector,
 };
 
-/// An arm that stands at a point, and the policy that watches over it.
+/// An arm at rest at a point, and its policy.
 #[derive(Clone, Debug)]
 pub(crate) struct Desk {
     pub(crate) policy: Policy,
@@ -16,7 +16,7 @@ pub(crate) struct Desk {
 }
 
 impl Desk {
-    /// The arm stands at x, y, z in mm, the tool turned to 0 degrees.
+    /// The arm is at x, y, z in mm, the tool turned to 0 degrees.
     #[track_caller]
     pub(crate) fn at(x: f64, y: f64, z: f64) -> Self {
         let pose = Pose {
@@ -27,7 +27,7 @@ impl Desk {
         Self::standing(place)
     }
 
-    /// The arm stands with these joint angles in degrees, the servo at 0.
+    /// The arm has these joint angles in degrees, the servo at 0.
     pub(crate) fn with_joints(base: f64, rear: f64, fore: f64) -> Self {
         Self::standing(ArmPlace::at_joints(
             Joints::new(base, rear, fore, 0.0),

@@ -37,7 +37,7 @@ fn the_shipped_file_has_every_key_and_its_examples_are_good() {
 }
 
 #[test]
-fn what_a_file_does_not_say_is_as_in_the_default() {
+fn missing_settings_are_those_of_the_default() {
     let policy = Policy::from_toml("[jog]\nreaction_s = 0.3").expect("it is a policy");
     let mut expected = Policy::default();
     expected.jog.reaction_s = 0.3;
@@ -49,7 +49,7 @@ fn what_a_file_does_not_say_is_as_in_the_default() {
 }
 
 #[test]
-fn unknown_keys_and_wrong_units_are_told_with_line_and_what_is_allowed() {
+fn unknown_keys_and_wrong_units_are_reported_with_line_and_allowed_values() {
     refused(
         "[joints]\n\nbase_rad = [-2, 2]",
         3,
@@ -70,7 +70,7 @@ fn unknown_keys_and_wrong_units_are_told_with_line_and_what_is_allowed() {
 }
 
 #[test]
-fn values_of_another_kind_are_told_with_their_line() {
+fn values_of_another_kind_are_reported_with_their_line() {
     refused("[laser]\nallowed = 1", 2, &["boolean"]);
     refused("[table]\nz_mm = \"low\"", 2, &["low"]);
     refused(
@@ -85,7 +85,7 @@ fn values_of_another_kind_are_told_with_their_line() {
 }
 
 #[test]
-fn values_out_of_range_are_told_with_key_line_and_range() {
+fn values_out_of_range_are_reported_with_key_line_and_range() {
     refused(
         "[jog]\n# milliseconds?\ndead_man_s = 150",
         3,
@@ -136,7 +136,7 @@ fn values_out_of_range_are_told_with_key_line_and_range() {
 }
 
 #[test]
-fn a_policy_that_came_from_no_file_is_judged_without_a_line() {
+fn a_policy_without_a_file_is_checked_without_a_line() {
     let mut policy = Policy::default();
     policy.queue.ahead_s = f64::NAN;
     let error = policy.validate().expect_err("not a number");
@@ -148,7 +148,7 @@ fn a_policy_that_came_from_no_file_is_judged_without_a_line() {
 }
 
 #[test]
-fn the_schema_knows_every_key_of_the_default() {
+fn the_schema_has_every_key_of_the_default() {
     let schema = Policy::json_schema();
     let policy = serde_json::to_value(Policy::default()).expect("it is JSON");
     let sections = policy.as_object().expect("an object");
@@ -174,7 +174,7 @@ fn the_schema_knows_every_key_of_the_default() {
 
 proptest! {
     #[test]
-    fn every_policy_comes_back_from_its_file_and_from_json(policy in policies()) {
+    fn every_policy_is_restored_from_its_file_and_from_json(policy in policies()) {
         prop_assert!(policy.validate().is_ok(), "{:?}", policy.validate());
         let text = policy.to_toml();
         prop_assert_eq!(&Policy::from_toml(&text).map_err(|error| error.to_string()), &Ok(policy.clone()));

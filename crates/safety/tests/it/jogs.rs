@@ -54,7 +54,7 @@ fn a_held_jog_is_never_found_beyond_a_limit() {
 }
 
 #[test]
-fn a_longer_silence_asks_for_more_room() {
+fn a_longer_silence_needs_more_room() {
     let desk = Desk::with_joints(122.0, 20.0, 30.0);
     let hold = Command::from(jog(J::BasePlus, 100.0));
     let allowed = |within_s| desk.policy.check_jog(&desk.model, &hold, within_s).is_ok();
@@ -73,7 +73,7 @@ fn an_arm_outside_may_be_jogged_back_in() {
 }
 
 #[test]
-fn what_stops_is_allowed_anywhere() {
+fn stops_and_releases_are_allowed_anywhere() {
     let mut desk = Desk::with_joints(170.0, 20.0, 30.0);
     desk.policy.laser.allowed = false;
     desk.model = held(&desk.model, jog(J::BasePlus, 100.0).into());
@@ -83,7 +83,7 @@ fn what_stops_is_allowed_anywhere() {
 }
 
 #[test]
-fn a_jog_that_turns_round_first_runs_down_the_other_way() {
+fn a_jog_that_reverses_first_coasts_in_the_old_direction() {
     let mut desk = Desk::with_joints(133.5, 20.0, 30.0);
     desk.allows(jog(J::BaseMinus, 100.0));
     // At 15 degrees/s with 50 degrees/s2 it goes 2.25 degrees on before it turns.

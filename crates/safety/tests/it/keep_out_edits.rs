@@ -37,7 +37,7 @@ fn a_new_keep_out_is_a_line_of_its_table_and_all_other_lines_stay() {
 }
 
 #[test]
-fn a_keep_out_that_is_there_is_replaced_where_it_stands_with_its_comment_or_removed() {
+fn an_existing_keep_out_is_replaced_in_place_with_its_comment_or_removed() {
     let text = replace("cup").apply(TEXT).unwrap();
     let expected = format!("# lamp = {{ }}\ncup = {LINE}  # blue\n\n[speed]");
     assert!(text.contains(&expected), "{text}");
@@ -56,7 +56,7 @@ fn a_text_without_keep_outs_gets_a_table_of_them() {
 }
 
 #[test]
-fn a_keep_out_is_changed_however_it_is_written() {
+fn a_keep_out_is_changed_in_any_notation() {
     for text in [
         "[keep_out.arch]\nbox = { x_mm = [250, 260], y_mm = [0, 9], z_mm = [0, 9] }\n\n[speed]\n",
         "[keep_out.arch.box]\nx_mm = [250, 260]\ny_mm = [0, 9]\nz_mm = [0, 9]\n",
@@ -95,7 +95,7 @@ fn the_default_policy_with_a_cylinder_is_a_policy_with_its_comments() {
 }
 
 #[test]
-fn a_new_keep_out_gets_a_name_that_none_has() {
+fn a_new_keep_out_gets_an_unused_name() {
     let text = add(BOX).apply(TEXT).unwrap();
     let text = add(BOX).apply(&text).unwrap();
     let names: Vec<_> = Policy::from_toml(&text)
@@ -107,7 +107,7 @@ fn a_new_keep_out_gets_a_name_that_none_has() {
 }
 
 #[test]
-fn bounds_that_are_out_of_order_for_a_moment_can_be_put_in_order() {
+fn bounds_that_are_briefly_out_of_order_can_be_put_in_order() {
     let crossed = KeepOut::Box(Area {
         x_mm: Bounds::new(260.0, 250.0),
         y_mm: Bounds::new(3.0, 4.0),
@@ -120,7 +120,7 @@ fn bounds_that_are_out_of_order_for_a_moment_can_be_put_in_order() {
 }
 
 #[test]
-fn what_cannot_be_changed_is_refused_with_the_reason() {
+fn an_impossible_change_is_refused_with_the_reason() {
     let no_toml = add(BOX).apply("[table]\nz_mm = = 2\n").unwrap_err();
     assert_eq!(no_toml.line, Some(2), "{no_toml}");
     let unknown = remove("lamp").apply(TEXT).unwrap_err();

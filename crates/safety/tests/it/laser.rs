@@ -8,7 +8,7 @@ use dobot_wire::{
 use crate::desk::{Desk, burning, go, jog, slide, vector};
 
 #[test]
-fn whatever_lights_the_laser_is_known() {
+fn every_command_that_switches_the_laser_on_is_known() {
     let stop = WriteVector {
         stop: true,
         ..burning(0.0, 0.0)
@@ -34,7 +34,7 @@ fn whatever_lights_the_laser_is_known() {
 }
 
 #[test]
-fn a_laser_that_is_forbidden_is_never_lit() {
+fn a_forbidden_laser_is_never_switched_on() {
     let desk = Desk::at(200.0, 0.0, 0.0).under("[laser]\nallowed = false\nstanding = true");
     desk.refuses("laser.allowed", burning(10.0, 0.0));
     desk.refuses("laser.allowed", jog(JointJogAxis::LaserOn, 0.0));
@@ -75,7 +75,7 @@ fn a_laser_left_on_is_kept_within_its_area_in_every_motion() {
 }
 
 #[test]
-fn a_laser_does_not_burn_while_the_arm_stands() {
+fn a_laser_does_not_burn_while_the_arm_is_at_rest() {
     let desk = Desk::at(200.0, 0.0, 0.0);
     desk.refuses("laser.standing", jog(JointJogAxis::LaserOn, 0.0));
     let stock = desk.clone().speaking(Dialect::FIRMWARE_1_1);
@@ -100,7 +100,7 @@ fn a_laser_does_not_burn_while_the_arm_stands() {
 }
 
 #[test]
-fn a_laser_that_creeps_sets_fire() {
+fn a_laser_that_is_too_slow_is_refused() {
     let desk = Desk::at(200.0, 0.0, 0.0).under("[laser]\nlongest_s = 10\nleast_speed_mm_s = 5");
     let at = |max_speed_mm_s| WriteVector {
         max_speed_mm_s,
@@ -111,7 +111,7 @@ fn a_laser_that_creeps_sets_fire() {
 }
 
 #[test]
-fn a_line_that_burns_for_long_comes_in_shorter_vectors() {
+fn a_line_that_burns_for_too_long_is_split_into_shorter_vectors() {
     // 96 mm at 3 mm/s, from and to that speed: 32 s.
     let at_speed = |length_mm: f32| WriteVector {
         start_speed_mm_s: 3.0,

@@ -1,4 +1,4 @@
-//! The policy: its file, and what it lets through.
+//! The policy: its file, and the commands that it allows.
 
 mod desk;
 mod file;

@@ -21,7 +21,7 @@ proptest! {
     })]
 
     #[test]
-    fn no_place_on_a_way_that_is_allowed_breaks_a_rule(
+    fn no_place_on_an_allowed_path_breaks_a_rule(
         policy in policies(),
         from in places(),
         command in commands(),
@@ -41,7 +41,7 @@ proptest! {
     }
 
     #[test]
-    fn the_way_to_where_it_is_refused_is_free_and_its_nearest_place_is_allowed(
+    fn the_path_up_to_a_refusal_is_free_and_its_nearest_place_is_allowed(
         policy in policies(),
         from in places(),
         command in commands(),
@@ -115,7 +115,7 @@ proptest! {
     }
 
     #[test]
-    fn no_way_that_is_allowed_leads_farther_below_the_paper_than_the_policy_says(
+    fn no_allowed_path_leads_farther_below_the_paper_than_the_policy_allows(
         from in places(),
         command in commands(),
         (z0_mm, slope_x, slope_y) in (-80.0..20.0, -0.1..0.1, -0.1..0.1),
@@ -287,5 +287,5 @@ fn shrunk(policy: &Policy, by: f64) -> Policy {
 const LEAF: f64 = 0.0201;
 
 /// It begins this much inside of all rules, in mm or degrees: the points of the truth are 4.5 mm
-/// apart, so that what is nearer may touch already.
+/// apart, so that nearer objects may already touch.
 const BEGINS: f64 = -2.4;

@@ -17,7 +17,7 @@ fn playback(speed: f32, jump_height_mm: f32) -> Configuration {
 }
 
 #[test]
-fn what_is_configured_counts_with_its_percentage() {
+fn configured_speeds_count_with_their_percentage() {
     let mut desk = Desk::at(200.0, 0.0, 0.0);
     // At the 50 % of power-up.
     desk.allows(playback(400.0, 20.0));
@@ -50,7 +50,7 @@ fn the_height_of_a_jump_has_a_ceiling() {
 }
 
 #[test]
-fn a_move_uses_no_speed_above_its_ceiling_however_it_was_set() {
+fn a_move_never_exceeds_the_ceiling_of_its_speed_for_any_settings() {
     let mut desk = Desk::at(200.0, 0.0, 0.0).under("[speed]\nline_mm_s = 40");
     // 50 mm/s after power-up.
     desk.refuses("speed.line", go(MovL, 200.0, 50.0, 0.0));
@@ -61,7 +61,7 @@ fn a_move_uses_no_speed_above_its_ceiling_however_it_was_set() {
 }
 
 #[test]
-fn write_vectors_have_ceilings_of_their_own() {
+fn write_vectors_have_their_own_ceilings() {
     let mut desk = Desk::at(200.0, 0.0, 0.0);
     let fast = |max_speed_mm_s| WriteVector {
         max_speed_mm_s,

@@ -47,7 +47,7 @@ fn a_tool_stays_out_of_the_table_by_its_own_length() {
 }
 
 #[test]
-fn the_table_follows_the_paper_however_it_slopes() {
+fn the_table_follows_the_paper_at_any_slope() {
     // It rises by 2 mm in 100 forward: -44 mm at 200, -43 mm at 250.
     let table = Plane {
         z0_mm: -48.0,
@@ -88,7 +88,7 @@ fn the_table_follows_the_paper_however_it_slopes() {
 }
 
 #[test]
-fn what_is_hardly_outside_is_told_with_as_many_decimals_as_show_that() {
+fn a_tiny_violation_is_reported_with_enough_decimals_to_show_it() {
     let policy = "[table]\nz_mm = -103\n[tool_length]\nsuction_cup_mm = 60";
     let desk = Desk::at(200.0, 0.0, 0.0).under(policy);
     let told = desk.refuses("table", vector(0.0, 0.0, -43.004)).to_string();
@@ -99,7 +99,7 @@ fn what_is_hardly_outside_is_told_with_as_many_decimals_as_show_that() {
 }
 
 #[test]
-fn the_cables_want_the_base_within_135_degrees() {
+fn the_cables_keep_the_base_within_135_degrees() {
     let desk = Desk::with_joints(130.0, 20.0, 30.0);
     desk.allows(turn(MovJ, 135.0, 20.0, 30.0));
     let violation = desk.refuses("joints.base", turn(MovJ, 150.0, 20.0, 30.0));
@@ -123,7 +123,7 @@ fn a_line_whose_ends_are_allowed_may_not_cut_through_the_space_near_the_base() {
 }
 
 #[test]
-fn a_joint_move_that_swings_out_half_way_is_seen() {
+fn a_joint_move_that_swings_out_half_way_is_detected() {
     // At both ends x is half of the reach, straight ahead all of it.
     let desk = Desk::with_joints(-60.0, 45.0, 30.0).under("[workspace]\nx_mm = [-321, 250]");
     assert!(desk.model.place.pose.position.reach().0 > 280.0);
@@ -158,7 +158,7 @@ fn nothing_is_too_thin_for_a_keep_out() {
 }
 
 #[test]
-fn an_arm_right_at_a_keep_out_gets_away_from_it() {
+fn an_arm_right_at_a_keep_out_can_leave_it() {
     let crate_ =
         "[keep_out.crate]\nbox = { x_mm = [150, 300], y_mm = [50, 150], z_mm = [-103, 60] }";
     let desk = Desk::at(200.0, -100.0, 30.0).under(crate_);
@@ -171,7 +171,7 @@ fn an_arm_right_at_a_keep_out_gets_away_from_it() {
 }
 
 #[test]
-fn an_arm_that_stands_outside_may_come_back_in_but_not_go_deeper() {
+fn an_arm_outside_may_come_back_in_but_not_go_deeper() {
     let desk = Desk::with_joints(150.0, 20.0, 30.0);
     desk.allows(turn(MovJ, 145.0, 20.0, 30.0));
     desk.allows(turn(MovJ, 100.0, 20.0, 30.0));
@@ -185,8 +185,8 @@ fn an_arm_that_stands_outside_may_come_back_in_but_not_go_deeper() {
 }
 
 #[test]
-fn an_arm_that_came_back_in_may_not_go_out_again_in_the_same_way() {
-    // From the right behind the arm round to the left behind it.
+fn an_arm_that_came_back_in_may_not_go_out_again_in_the_same_move() {
+    // From the right rear of the arm to its left rear.
     let desk = Desk::at(-60.0, -160.0, -40.0).under("[joints]\nbase_deg = [-105, 105]");
     assert!(desk.model.place.joints.base.0 < -105.0);
     let violation = desk.refuses("joints.base", go(Jump, -60.0, 160.0, -40.0));
@@ -195,7 +195,7 @@ fn an_arm_that_came_back_in_may_not_go_out_again_in_the_same_way() {
 }
 
 #[test]
-fn an_arm_inside_a_keep_out_may_leave_it_not_go_deeper() {
+fn an_arm_inside_a_keep_out_may_leave_it_but_not_go_deeper() {
     let crate_ =
         "[keep_out.crate]\nbox = { x_mm = [150, 300], y_mm = [50, 150], z_mm = [-103, 60] }";
     let inside = Desk::at(220.0, 40.0, 30.0).under(crate_);
@@ -205,7 +205,7 @@ fn an_arm_inside_a_keep_out_may_leave_it_not_go_deeper() {
 }
 
 #[test]
-fn all_three_phases_of_a_jump_are_looked_at() {
+fn all_three_phases_of_a_jump_are_checked() {
     for dialect in Dialect::ALL {
         let desk = Desk::at(200.0, -60.0, 0.0).speaking(dialect);
         // Up into a shelf, across into a post, down into a box.
@@ -225,7 +225,7 @@ fn all_three_phases_of_a_jump_are_looked_at() {
 }
 
 #[test]
-fn targets_beyond_what_the_arm_can_do_name_the_rule_and_the_nearest_value() {
+fn targets_beyond_reach_name_the_rule_and_the_nearest_value() {
     let violation = Desk::at(200.0, 0.0, 0.0).refuses("joints.opening", go(MovL, 340.0, 0.0, 0.0));
     assert_near(
         violation.value.as_ref().expect("a value").nearest,
@@ -235,7 +235,7 @@ fn targets_beyond_what_the_arm_can_do_name_the_rule_and_the_nearest_value() {
 }
 
 #[test]
-fn mouse_gesture_and_voice_are_looked_at_in_both_dialects() {
+fn mouse_gesture_and_voice_are_checked_in_both_dialects() {
     let wall = "[keep_out.wall]\nbox = { x_mm = [240, 321], y_mm = [-200, 200], z_mm = [-103, 136] }\n[arm]\nradius_mm = 0";
     let desk = Desk::at(200.0, 0.0, 0.0).under(wall);
     let mouse = |x| MouseMove {
@@ -274,7 +274,7 @@ fn mouse_gesture_and_voice_are_looked_at_in_both_dialects() {
 }
 
 #[test]
-fn a_tool_that_would_stand_in_the_table_may_not_be_set() {
+fn a_tool_that_would_reach_into_the_table_may_not_be_set() {
     let policy = "[tool_length]\nlaser_mm = 100";
     let tool = Configuration::EndEffector {
         tool: Tool::Laser.into(),
@@ -302,7 +302,7 @@ fn initial_angles_beyond_the_joint_limits_are_refused() {
 }
 
 #[test]
-fn what_the_arm_would_get_lost_in_is_refused_as_its_own_rule() {
+fn a_move_that_would_lose_the_pose_is_refused_by_its_own_rule() {
     let desk = Desk::at(200.0, 0.0, 0.0);
     desk.refuses("arm", go(MovJ, f32::NAN, 0.0, 0.0));
     desk.refuses("arm", vector(f32::INFINITY, 0.0, 0.0));
@@ -312,7 +312,7 @@ fn what_the_arm_would_get_lost_in_is_refused_as_its_own_rule() {
 }
 
 #[test]
-fn each_tool_has_the_length_that_the_policy_gives_it_and_a_pen_that_of_the_cup() {
+fn each_tool_has_the_length_given_by_the_policy_and_a_pen_that_of_the_cup() {
     let policy = "[tool_length]\nsuction_cup_mm = 51\ngripper_mm = 52\nlaser_mm = 53";
     let lengths = dobot_safety::Policy::from_toml(policy)
         .expect("a policy")

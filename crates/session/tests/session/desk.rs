@@ -1,4 +1,4 @@
-//! A session, and an arm that does nothing but stand where it is put.
+//! A session, and an arm that stays where it is put.
 
 use std::time::Duration;
 
@@ -9,7 +9,7 @@ use dobot_wire::{Dialect, MoveTo, MovingMode, Status, WriteVector};
 
 pub(crate) const PERIOD: Duration = Dialect::SPECIFICATION.status_period();
 
-/// A session, and an arm that does nothing but stand where it is put.
+/// A session, and an arm that stays where it is put.
 pub(crate) struct Desk {
     pub(crate) session: Session,
     pub(crate) now: Duration,

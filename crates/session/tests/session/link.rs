@@ -24,7 +24,7 @@ fn a_second_of_silence_is_a_lost_link() {
         }]
     );
     desk.session.handle_time(desk.now + Duration::from_secs(9));
-    assert_eq!(desk.events(), [], "it is told once");
+    assert_eq!(desk.events(), [], "it is reported once");
 }
 
 #[test]
@@ -60,8 +60,8 @@ fn a_full_queue_is_not_a_lost_link() {
     assert!(matches!(desk.events()[..], [Event::LinkLost { .. }]));
 }
 
-/// An arm whose base stands at 0, and a computer that stands still for a second and says something before it hears what was
-/// told meanwhile.
+/// An arm whose base is at 0, and a computer that is frozen for a second and sends a packet before it reads the statuses
+/// sent meanwhile.
 fn stood_still_and_said(commands: &[Command]) -> Desk {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     for _ in 0..3 {
@@ -77,8 +77,7 @@ fn stood_still_and_said(commands: &[Command]) -> Desk {
 }
 
 #[test]
-fn an_arm_at_rest_that_tells_the_same_after_a_silence_stands_as_before_though_its_laser_was_switched_off()
- {
+fn an_arm_at_rest_with_the_same_pose_after_a_silence_was_not_reset_even_if_its_laser_went_off() {
     let mut desk = stood_still_and_said(&[LASER_OFF]);
     for _ in 0..3 {
         desk.status_at(200.0, 0.0, 0.0);
@@ -87,7 +86,7 @@ fn an_arm_at_rest_that_tells_the_same_after_a_silence_stands_as_before_though_it
 }
 
 #[test]
-fn an_arm_that_was_told_to_move_before_a_silence_may_have_been_reset_though_it_tells_the_same() {
+fn an_arm_commanded_to_move_before_a_silence_may_have_been_reset_even_with_the_same_pose() {
     let turn = JointJog::new(JointJogAxis::BasePlus, 50.0).into();
     let release = JointJog::new(JointJogAxis::Released, 0.0).into();
     for commands in [&[turn][..], &[turn, LASER_OFF], &[turn, release]] {
@@ -98,7 +97,7 @@ fn an_arm_that_was_told_to_move_before_a_silence_may_have_been_reset_though_it_t
     }
 }
 
-/// So many statuses of a base at 0, all read at once after a silence of so many milliseconds.
+/// This many statuses of a base at 0, all read at once after a silence of this many milliseconds.
 fn read_at_once(desk: &mut Desk, statuses: usize, silent_ms: u64) {
     desk.now += Duration::from_millis(silent_ms);
     desk.session.handle_stall(desk.now);
@@ -108,7 +107,7 @@ fn read_at_once(desk: &mut Desk, statuses: usize, silent_ms: u64) {
 }
 
 #[test]
-fn an_arm_that_went_on_sending_while_the_computer_stood_still_was_not_reset() {
+fn an_arm_that_kept_sending_while_the_computer_was_suspended_was_not_reset() {
     for statuses in [7, 14, 25] {
         let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
         desk.status_at(200.0, 0.0, 0.0);
@@ -125,8 +124,8 @@ fn an_arm_that_went_on_sending_while_the_computer_stood_still_was_not_reset() {
 }
 
 #[test]
-fn an_arm_that_was_silent_in_part_of_that_time_may_have_been_reset() {
-    // The base stands at 0 only behind the reset, and 0.7 s of statuses are missing.
+fn an_arm_that_was_silent_for_a_part_of_that_time_may_have_been_reset() {
+    // The base is at 0 only after the reset, and 0.7 s of statuses are missing.
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     desk.status_at(200.0, 0.0, 0.0);
     desk.session.send(vector(0.0, 60.0)).expect("it is allowed");
@@ -136,7 +135,7 @@ fn an_arm_that_was_silent_in_part_of_that_time_may_have_been_reset() {
 }
 
 #[test]
-fn no_more_waits_in_the_arm_than_lets_it_speak_where_its_base_comes_to_0() {
+fn the_number_of_queued_commands_is_limited_if_the_base_may_come_to_0() {
     let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
     desk.status_at(200.0, 0.0, 0.0);
     for n in 1..=5_u8 {
@@ -149,7 +148,7 @@ fn no_more_waits_in_the_arm_than_lets_it_speak_where_its_base_comes_to_0() {
 }
 
 #[test]
-fn noise_between_statuses_is_reported_and_costs_none() {
+fn noise_between_statuses_is_reported_and_loses_none() {
     let mut desk = Desk::new(None);
     desk.status_at(200.0, 0.0, 0.0);
     desk.session.handle_bytes(desk.now, &[0xA5, 1, 2, 3, 0xA5]);
@@ -158,7 +157,7 @@ fn noise_between_statuses_is_reported_and_costs_none() {
 }
 
 #[test]
-fn statuses_that_come_late_in_a_heap_are_not_lost_and_those_that_never_come_are() {
+fn statuses_that_arrive_late_in_a_burst_are_not_lost_and_missing_ones_are() {
     let mut desk = Desk::new(None);
     for _ in 0..10 {
         desk.status_at(200.0, 0.0, 0.0);
@@ -176,7 +175,7 @@ fn statuses_that_come_late_in_a_heap_are_not_lost_and_those_that_never_come_are(
 }
 
 #[test]
-fn a_good_link_carries_12_5_statuses_a_second_and_a_silent_one_fewer_and_fewer() {
+fn a_good_link_carries_12_5_statuses_a_second_and_the_rate_of_a_silent_one_falls() {
     let mut desk = Desk::new(None);
     for _ in 0..40 {
         desk.status_at(200.0, 0.0, 0.0);

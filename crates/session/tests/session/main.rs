@@ -13,7 +13,7 @@ use dobot_wire::{Dialect, JointJog, JointJogAxis, MovingMode};
 use crate::desk::{Desk, status, target, vector};
 
 #[test]
-fn one_command_leaves_for_each_status() {
+fn one_command_is_sent_for_each_status() {
     let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
     for y in [1.0, 2.0, 3.0] {
         desk.session.send(vector(0.0, y)).expect("it is allowed");
@@ -28,7 +28,7 @@ fn one_command_leaves_for_each_status() {
 }
 
 #[test]
-fn permits_are_not_saved_up() {
+fn permits_do_not_accumulate() {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     for _ in 0..5 {
         desk.status_at(200.0, 0.0, 0.0);
@@ -40,7 +40,7 @@ fn permits_are_not_saved_up() {
 }
 
 #[test]
-fn a_packet_that_leaves_late_in_a_period_is_not_followed_by_the_next_at_once() {
+fn a_packet_sent_late_in_a_period_is_not_followed_by_the_next_at_once() {
     let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
     desk.status_at(200.0, 0.0, 0.0);
     // The permit is kept, and used shortly before the next status.
@@ -57,7 +57,7 @@ fn a_packet_that_leaves_late_in_a_period_is_not_followed_by_the_next_at_once() {
 }
 
 #[test]
-fn statuses_that_come_in_a_heap_permit_one_command() {
+fn statuses_that_arrive_in_a_burst_permit_one_command() {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     for y in 1..=12_u8 {
         let by = vector(0.0, y.into());
@@ -76,7 +76,7 @@ fn statuses_that_come_in_a_heap_permit_one_command() {
 }
 
 #[test]
-fn of_a_dialect_with_twenty_statuses_a_second_one_is_due_every_50_ms() {
+fn in_a_dialect_with_twenty_statuses_a_second_one_is_due_every_50_ms() {
     let mut dialect = Dialect::FIRMWARE_1_1;
     dialect.status_period_ms = 50;
     for mut session in [Session::trusted(Some(dialect)), Session::trusted(None)] {
@@ -98,7 +98,7 @@ fn of_a_dialect_with_twenty_statuses_a_second_one_is_due_every_50_ms() {
 }
 
 #[test]
-fn what_depends_on_an_unknown_dialect_is_refused_and_the_rest_is_not() {
+fn commands_that_depend_on_an_unknown_dialect_are_refused_and_others_are_not() {
     let mut session = Session::trusted(None);
     for command in [
         target(MovingMode::MovL, 200.0, 0.0),
@@ -135,7 +135,7 @@ fn a_value_beyond_its_table_is_not_sent() {
 }
 
 #[test]
-fn parting_words_leave_without_a_permit_and_before_all_that_waits() {
+fn final_packets_are_sent_without_a_permit_and_before_all_queued_ones() {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     desk.session.send(vector(0.0, 1.0)).expect("it is allowed");
     let laser_off = JointJog::new(JointJogAxis::LaserOff, 0.0);

@@ -101,7 +101,7 @@ fn a_mouse_move_is_not_over_before_the_arm_has_moved() {
 }
 
 #[test]
-fn a_place_to_which_two_targets_lead_is_the_first_ones_when_the_arm_comes_there_first() {
+fn a_place_shared_by_two_targets_belongs_to_the_first_one_if_the_arm_comes_there_first() {
     let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
     desk.status_at(200.0, 0.0, 0.0);
     let pausing = MoveTo {
@@ -128,7 +128,7 @@ fn a_place_to_which_two_targets_lead_is_the_first_ones_when_the_arm_comes_there_
 }
 
 #[test]
-fn a_way_back_does_not_end_the_way_there_as_it_begins() {
+fn a_path_back_to_the_start_does_not_end_the_path_there_as_it_begins() {
     let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
     desk.status_at(200.0, 0.0, 0.0);
     for y_mm in [30.0, 0.0] {
@@ -143,7 +143,7 @@ fn a_way_back_does_not_end_the_way_there_as_it_begins() {
 }
 
 #[test]
-fn a_pump_that_acts_in_the_middle_of_a_pause_does_not_end_it() {
+fn a_pump_that_switches_in_the_middle_of_a_pause_does_not_end_it() {
     let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
     desk.status_at(200.0, 0.0, 0.0);
     let grabbing = MoveTo {
@@ -271,20 +271,20 @@ fn an_arm_that_comes_to_rest_elsewhere_has_not_reached_its_target() {
         } => Some((*command, *expected, *found)),
         _ => None,
     });
-    let (command, expected, found) = short.expect("the person is told");
+    let (command, expected, found) = short.expect("it is reported");
     assert_eq!(command, CommandId(0));
     assert_eq!(expected, Position::new(220.0, 10.0, 0.0));
     assert!(found.distance(Position::new(208.0, 4.0, 0.0)).0 < 1e-3);
 }
 
 #[test]
-fn statuses_that_come_in_a_heap_tell_of_no_command_that_was_lost() {
+fn statuses_that_arrive_in_a_burst_indicate_no_lost_command() {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     desk.status_at(200.0, 0.0, 0.0);
     desk.session
         .send(target(MovingMode::MovL, 220.0, 10.0))
         .expect("it is allowed");
-    // The computer stood still, and what came meanwhile is read at once.
+    // The computer was frozen, and the statuses sent meanwhile are read at once.
     desk.now += PERIOD;
     let heap = status(200.0, 0.0, 0.0).emit().to_bytes().repeat(20);
     desk.session.handle_bytes(desk.now, &heap);

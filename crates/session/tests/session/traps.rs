@@ -1,4 +1,4 @@
-//! What a stock arm would not come out of.
+//! Traps that a stock arm would not recover from.
 
 use std::time::Duration;
 
@@ -8,7 +8,7 @@ use dobot_wire::{Dialect, JointJog, JointJogAxis, MovingMode, Voice};
 use crate::desk::{Desk, PERIOD, status, target, vector};
 
 #[test]
-fn a_line_to_where_a_stock_arm_stands_is_not_sent() {
+fn a_line_to_the_current_place_of_a_stock_arm_is_not_sent() {
     let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
     desk.status_at(200.0, 0.0, 0.0);
     let here = target(MovingMode::MovL, 200.0, 0.0);
@@ -32,7 +32,7 @@ fn jog(axis: JointJogAxis) -> JointJog {
     JointJog::new(axis, 50.0)
 }
 
-/// A button is pressed and let go, and a straight line to where the arm stood waits behind that.
+/// A button is pressed and released, and a straight line to the previous place of the arm waits after that.
 fn line_behind_a_jog(desk: &mut Desk) -> CommandId {
     for _ in 0..2 {
         desk.status_at(200.0, 0.0, 0.0);
@@ -45,7 +45,7 @@ fn line_behind_a_jog(desk: &mut Desk) -> CommandId {
 }
 
 #[test]
-fn a_line_behind_a_jog_that_moved_nothing_is_not_sent() {
+fn a_line_after_a_jog_that_moved_nothing_is_not_sent() {
     let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
     let line = line_behind_a_jog(&mut desk);
     let told: Vec<Event> = (0..100)
@@ -60,7 +60,7 @@ fn a_line_behind_a_jog_that_moved_nothing_is_not_sent() {
 }
 
 #[test]
-fn a_line_behind_a_jog_is_sent_when_the_arm_rests_elsewhere() {
+fn a_line_after_a_jog_is_sent_when_the_arm_rests_elsewhere() {
     let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
     line_behind_a_jog(&mut desk);
     for n in 0..20 {
@@ -74,7 +74,7 @@ fn a_line_behind_a_jog_is_sent_when_the_arm_rests_elsewhere() {
 }
 
 #[test]
-fn a_release_behind_a_command_that_is_not_sent_is_sent_all_the_same() {
+fn a_release_after_an_unsent_command_is_still_sent() {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     desk.status_at(200.0, 0.0, 0.0);
     let lasting = Duration::from_secs(1);
@@ -99,7 +99,7 @@ fn voice(text: &str) -> Voice {
 }
 
 #[test]
-fn voice_does_not_leave_before_the_arm_was_seen_at_rest() {
+fn voice_is_not_sent_before_the_arm_was_seen_at_rest() {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     for y_mm in [0.0, 2.0, 4.0] {
         desk.status_at(200.0, y_mm, 0.0);
@@ -114,7 +114,7 @@ fn voice_does_not_leave_before_the_arm_was_seen_at_rest() {
 }
 
 #[test]
-fn voice_behind_a_move_waits_until_the_move_is_over() {
+fn voice_after_a_move_waits_until_the_move_is_over() {
     let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
     for _ in 0..3 {
         desk.status_at(200.0, 0.0, 0.0);
@@ -129,7 +129,7 @@ fn voice_behind_a_move_waits_until_the_move_is_over() {
     for _ in 0..20 {
         desk.status_at(200.0, 20.0, 0.0);
     }
-    assert_eq!(desk.packets(), 1, "what was said");
+    assert_eq!(desk.packets(), 1, "the text");
 }
 
 #[test]

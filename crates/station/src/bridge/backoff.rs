@@ -54,7 +54,7 @@ mod tests {
     }
 
     #[test]
-    fn useless_bytes_are_taken_no_faster_than_a_line_carries_them() {
+    fn useless_bytes_are_read_no_faster_than_a_line_carries_them() {
         let mut backoff = Backoff::default();
         let mut now = Duration::ZERO;
         let mut taken = 0_u32;
@@ -68,7 +68,7 @@ mod tests {
     }
 
     #[test]
-    fn patience_comes_back_while_nothing_useless_is_sent() {
+    fn patience_recovers_while_no_useless_bytes_arrive() {
         let mut backoff = Backoff::default();
         backoff.handle_bytes(Duration::ZERO, 480);
         backoff.handle_bytes(ms(600), 400);
@@ -76,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn any_number_of_bytes_is_taken() {
+    fn any_number_of_bytes_is_accepted() {
         let mut backoff = Backoff::default();
         backoff.handle_bytes(Duration::MAX, u64::MAX);
         backoff.handle_bytes(ms(1), u64::MAX);

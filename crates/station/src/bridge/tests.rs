@@ -43,7 +43,7 @@ fn refusal() -> Result<(), Refusal> {
 }
 
 #[tokio::test]
-async fn packets_go_to_the_driver_and_statuses_to_the_program_byte_for_byte() {
+async fn packets_reach_the_driver_and_statuses_the_client_byte_for_byte() {
     let mut bridged = bridged(4096).await;
     bridged
         .program
@@ -67,7 +67,7 @@ async fn packets_go_to_the_driver_and_statuses_to_the_program_byte_for_byte() {
 }
 
 #[tokio::test]
-async fn a_program_that_leaves_is_a_client_that_leaves() {
+async fn a_raw_client_that_leaves_is_a_client_that_leaves() {
     let mut bridged = bridged(4096).await;
     drop(bridged.program);
     bridged.driver.left().await;
@@ -92,7 +92,7 @@ async fn the_bridge_ends_with_the_station() {
 }
 
 #[tokio::test]
-async fn statuses_come_while_a_packet_waits_for_the_driver() {
+async fn statuses_arrive_while_a_packet_waits_for_the_driver() {
     let mut bridged = bridged(4096).await;
     bridged
         .program
@@ -111,7 +111,7 @@ async fn statuses_come_while_a_packet_waits_for_the_driver() {
 }
 
 #[tokio::test]
-async fn what_is_read_ahead_while_the_driver_has_not_answered_has_an_end() {
+async fn reading_ahead_while_the_driver_has_not_answered_is_bounded() {
     let mut bridged = bridged(420).await;
     let flood = tokio::spawn(async move {
         let mut sent = 0_u64;
@@ -137,7 +137,7 @@ async fn what_is_read_ahead_while_the_driver_has_not_answered_has_an_end() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn what_waits_of_a_program_that_is_gone_is_forgotten_at_once() {
+async fn waiting_packets_of_a_disconnected_client_are_dropped_at_once() {
     let mut bridged = bridged(1 << 20).await;
     for _ in 0..3000 {
         bridged
@@ -163,7 +163,7 @@ async fn what_waits_of_a_program_that_is_gone_is_forgotten_at_once() {
 }
 
 #[tokio::test]
-async fn what_a_program_sent_before_it_left_is_passed_on_if_it_need_not_wait() {
+async fn packets_sent_before_a_client_left_are_passed_on_if_they_need_not_wait() {
     let mut bridged = bridged(4096).await;
     bridged
         .program
@@ -182,7 +182,7 @@ async fn what_a_program_sent_before_it_left_is_passed_on_if_it_need_not_wait() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn refused_packets_are_counted_and_taken_no_faster_than_a_line_carries_them() {
+async fn refused_packets_are_counted_and_read_no_faster_than_a_line_carries_them() {
     let mut bridged = bridged(4096).await;
     let started = Instant::now();
     let flood =
@@ -199,7 +199,7 @@ async fn refused_packets_are_counted_and_taken_no_faster_than_a_line_carries_the
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_program_whose_every_packet_is_refused_is_served_at_the_pace_of_statuses() {
+async fn a_client_whose_every_packet_is_refused_is_served_at_the_pace_of_statuses() {
     let mut bridged = bridged(4096).await;
     for status in 0..200 {
         let started = Instant::now();
@@ -225,7 +225,7 @@ async fn a_program_whose_every_packet_is_refused_is_served_at_the_pace_of_status
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_program_that_does_not_read_loses_statuses_and_goes_on_with_the_newest() {
+async fn a_client_that_does_not_read_loses_statuses_and_continues_with_the_newest() {
     // The stream holds two statuses, the bridge one, the driver four.
     let mut bridged = bridged(84).await;
     for status in 0..100 {
@@ -257,7 +257,7 @@ async fn a_program_that_does_not_read_loses_statuses_and_goes_on_with_the_newest
 }
 
 #[tokio::test]
-async fn a_web_page_is_cut_off_before_any_packet_of_its_own() {
+async fn a_web_page_is_disconnected_before_any_of_its_packets() {
     let mut bridged = bridged(4096).await;
     let mut request = b"POST / HTTP/1.1\r\nHost: 127.0.0.1:5555\r\n\r\n".to_vec();
     request.extend(packet(1));
@@ -299,7 +299,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn packets_are_found_behind_any_noise_and_every_byte_is_counted(
+    fn packets_are_found_after_any_noise_and_every_byte_is_counted(
         noise in proptest::collection::vec(any::<u8>(), 0..3000),
         cut in 1_usize..500,
     ) {

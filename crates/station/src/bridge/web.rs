@@ -23,7 +23,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn requests_of_browsers_are_known() {
+    fn requests_of_browsers_are_recognised() {
         for request in ["GET / HTTP/1.1\r\n", "POST /x HTTP/1.1\r\n", "OPTIONS * "] {
             assert!(is_web(request.as_bytes()), "{request}");
         }
@@ -31,7 +31,7 @@ mod tests {
     }
 
     #[test]
-    fn packets_and_plain_noise_are_none() {
+    fn packets_and_plain_noise_are_not_browser_requests() {
         for noise in [
             &[0xA5][..],
             &[0xB5, b'G'],

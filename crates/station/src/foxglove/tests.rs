@@ -209,7 +209,7 @@ async fn pages_of_other_sites_are_refused() {
 }
 
 #[tokio::test]
-async fn foxglove_is_told_where_the_tool_is_as_the_arm_tells_it() {
+async fn foxglove_gets_the_place_of_the_tool_as_the_arm_reports_it() {
     let (driver, address) = served().await;
     let mut client = FoxgloveClient::come(address).await;
     client.want("/tf").await;
@@ -233,7 +233,7 @@ async fn foxglove_is_told_where_the_tool_is_as_the_arm_tells_it() {
 }
 
 #[tokio::test]
-async fn foxglove_is_told_the_state_of_the_station_at_its_time() {
+async fn foxglove_gets_the_state_of_the_station_at_its_time() {
     let (driver, address) = served().await;
     let mut client = FoxgloveClient::come(address).await;
     client.want("/station/state").await;
@@ -249,7 +249,7 @@ async fn foxglove_is_told_the_state_of_the_station_at_its_time() {
 }
 
 #[tokio::test]
-async fn others_on_the_network_cannot_look_on() {
+async fn other_machines_on_the_network_cannot_watch() {
     let everywhere = SocketAddr::from((Ipv4Addr::UNSPECIFIED, 0));
     let refused = FoxglovePort::bind(everywhere)
         .await
@@ -258,7 +258,7 @@ async fn others_on_the_network_cannot_look_on() {
 }
 
 #[tokio::test]
-async fn a_port_that_another_program_has_is_told() {
+async fn a_port_in_use_by_another_program_is_reported() {
     let (_driver, address) = served().await;
     let refused = FoxglovePort::bind(address).await.expect_err("it is taken");
     assert!(

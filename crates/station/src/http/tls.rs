@@ -154,7 +154,7 @@ mod tests {
     const ANY: IpAddr = IpAddr::V4(std::net::Ipv4Addr::UNSPECIFIED);
 
     #[test]
-    fn a_certificate_is_made_once_and_anew_for_another_name() {
+    fn a_certificate_is_made_once_and_again_for_another_name() {
         let folder = tempfile::tempdir().unwrap();
         let made = |names: &[String]| {
             Certificate::own(folder.path(), names, ANY)
@@ -169,7 +169,7 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn nobody_else_can_read_the_key() {
+    fn only_the_owner_can_read_the_key() {
         use std::os::unix::fs::PermissionsExt;
         let folder = tempfile::tempdir().unwrap();
         Certificate::own(folder.path(), &[], ANY).unwrap();
@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn files_that_are_missing_or_empty_are_told_by_name() {
+    fn missing_and_empty_files_are_reported_by_name() {
         let folder = tempfile::tempdir().unwrap();
         let files = TlsFiles {
             certificate: folder.path().join("mine.pem"),

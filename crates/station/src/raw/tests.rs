@@ -59,7 +59,7 @@ async fn an_old_program_is_a_client_that_may_control_the_arm() {
 }
 
 #[tokio::test]
-async fn programs_come_and_leave_one_after_the_other() {
+async fn raw_clients_connect_and_leave_one_after_another() {
     let mut harness = Harness::served().await;
     for _ in 0..5 {
         let mut program = harness.program().await;
@@ -71,7 +71,7 @@ async fn programs_come_and_leave_one_after_the_other() {
 }
 
 #[tokio::test]
-async fn a_second_program_is_told_why_it_is_turned_away_and_the_first_is_served_on() {
+async fn a_second_raw_client_is_refused_with_the_reason_and_the_first_is_still_served() {
     let mut harness = Harness::served().await;
     let mut first = harness.program().await;
     let mut second = harness.come().await;
@@ -93,7 +93,7 @@ async fn a_second_program_is_told_why_it_is_turned_away_and_the_first_is_served_
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_program_that_is_started_again_at_once_is_served_though_the_last_end_was_not_seen() {
+async fn a_raw_client_that_restarts_at_once_is_served_even_if_its_last_end_was_not_noticed() {
     let mut harness = Harness::served().await;
     let mut first = harness.program().await;
     first.write_all(&packet(50)).await.expect("it is open");
@@ -114,7 +114,7 @@ async fn a_program_that_is_started_again_at_once_is_served_though_the_last_end_w
 }
 
 #[tokio::test]
-async fn a_program_that_breaks_off_in_the_middle_of_a_packet_harms_nobody() {
+async fn a_raw_client_that_disconnects_in_the_middle_of_a_packet_does_no_harm() {
     let mut harness = Harness::served().await;
     let mut torn = harness.program().await;
     torn.write_all(&packet(50)[..20]).await.expect("it is open");
@@ -145,7 +145,7 @@ async fn the_port_is_for_this_machine_alone() {
 }
 
 #[tokio::test]
-async fn a_port_that_another_program_has_is_told_as_in_use() {
+async fn a_port_in_use_by_another_program_is_reported_as_in_use() {
     let harness = Harness::served().await;
     let error = RawPort::bind(harness.at).await.expect_err("it is taken");
     assert!(matches!(error, RawPortError::InUse { .. }), "{error}");

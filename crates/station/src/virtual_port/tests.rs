@@ -27,7 +27,7 @@ impl Harness<PathBuf> {
 }
 
 #[tokio::test]
-async fn a_serial_program_is_served_leaves_and_comes_again() {
+async fn a_serial_client_is_served_leaves_and_returns() {
     let mut harness = Harness::served();
     for status in 1..4 {
         let mut program = harness.program().await;
@@ -48,7 +48,7 @@ async fn a_serial_program_is_served_leaves_and_comes_again() {
 }
 
 #[tokio::test]
-async fn the_port_goes_with_the_station() {
+async fn the_port_disappears_with_the_station() {
     let mut harness = Harness::served();
     let mut program = harness.program().await;
     drop(harness.driver);

@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn whatever_the_order_of_the_messages_all_stations_know_the_same_in_the_end() {
+    fn all_stations_agree_in_the_end_for_any_order_of_the_messages() {
         let messages = [stop("a", 5), reset("a", 5), stop("a", 7), stop("b", 6)];
         let known = after(&messages).all();
         for first in 0..messages.len() {
@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn the_same_stop_does_not_hold_an_arm_again_that_a_person_let_go_and_a_newer_one_does() {
+    fn an_arm_reset_by_a_person_is_not_stopped_by_the_same_stop_but_by_a_newer_one() {
         let mut stops = after(&[stop("a", 5)]);
         stops.reset_here();
         assert_eq!(stops.adopt(&stop("a", 5)), Adopted::Known);
@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn a_flood_of_origins_is_bounded_and_pushes_out_no_stop_that_holds() {
+    fn a_flood_of_origins_is_bounded_and_displaces_no_active_stop() {
         let mut stops = after(&[stop("a", 5)]);
         for number in 0..2 * MOST {
             stops.adopt(&reset(&format!("flood-{number}"), 1));

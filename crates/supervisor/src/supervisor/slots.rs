@@ -273,7 +273,7 @@ mod tests {
     }
 
     #[test]
-    fn slots_begin_are_soon_over_and_end_each_once_in_their_order() {
+    fn each_slot_begins_is_announced_as_ending_and_ends_once_in_order() {
         let mut slots = Slots::default();
         let all = [slot("Ben", 600.0, 1200.0), slot("Anna", 0.0, 600.0)];
         slots.set(s(100), &all).unwrap();
@@ -288,7 +288,7 @@ mod tests {
     }
 
     #[test]
-    fn one_that_passed_by_while_nobody_looked_is_nobodys() {
+    fn a_slot_that_passed_unnoticed_is_not_reported() {
         let mut slots = Slots::default();
         slots
             .set(s(0), &[slot("Anna", 10.0, 20.0), slot("Ben", 30.0, 99.0)])
@@ -298,7 +298,7 @@ mod tests {
     }
 
     #[test]
-    fn the_arm_is_free_behind_all_slots_that_follow_each_other() {
+    fn the_arm_is_free_after_all_consecutive_slots() {
         let mut slots = Slots::default();
         let all = [
             slot("Anna", 0.0, 60.0),
@@ -319,7 +319,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_is_refused_with_what_is_allowed_and_the_old_slots_hold_on() {
+    fn an_invalid_slot_is_refused_with_what_is_allowed_and_the_old_slots_stay() {
         let mut slots = Slots::default();
         slots.set(s(0), &[slot("Anna", 0.0, 60.0)]).unwrap();
         let long = "a".repeat(61);

@@ -13,12 +13,14 @@ pub(super) fn target(spot: &Spot, mode: MovingMode, pause: Option<f64>, state: &
     let (suction, gripper_deg) = (state.suction, single(state.gripper_deg));
     let pause_s = single(pause.unwrap_or(0.0));
     match spot.to {
-        SpotKind::Joints(it) => MoveJoints {
+        SpotKind::Joints(joints) => MoveJoints {
             suction,
             mode,
             gripper_deg,
             pause_s,
-            ..MoveJoints::to([it.base.0, it.rear.0, it.fore.0, it.servo.0].map(single))
+            ..MoveJoints::to(
+                [joints.base.0, joints.rear.0, joints.fore.0, joints.servo.0].map(single),
+            )
         }
         .into(),
         SpotKind::Wrist(pose) => {

@@ -74,23 +74,23 @@ impl State {
         let (suction, gripper_deg) = (self.suction, single(self.gripper_deg));
         let mode = MovingMode::MovJ;
         match self.last? {
-            Command::MoveTo(it) => Some(
+            Command::MoveTo(move_to) => Some(
                 dobot_wire::MoveTo {
                     suction,
                     gripper_deg,
                     pause_s,
                     mode,
-                    ..it
+                    ..move_to
                 }
                 .into(),
             ),
-            Command::MoveJoints(it) => Some(
+            Command::MoveJoints(move_joints) => Some(
                 dobot_wire::MoveJoints {
                     suction,
                     gripper_deg,
                     pause_s,
                     mode,
-                    ..it
+                    ..move_joints
                 }
                 .into(),
             ),
@@ -101,14 +101,24 @@ impl State {
     /// The place of that target.
     pub(super) fn spot(&self) -> Option<Spot> {
         match self.last? {
-            Command::MoveTo(it) => {
-                let [x, y, z, rotation] =
-                    [it.x_mm, it.y_mm, it.z_mm, it.rotation_deg].map(f64::from);
+            Command::MoveTo(move_to) => {
+                let [x, y, z, rotation] = [
+                    move_to.x_mm,
+                    move_to.y_mm,
+                    move_to.z_mm,
+                    move_to.rotation_deg,
+                ]
+                .map(f64::from);
                 Some(Spot::wrist(Position::new(x, y, z), rotation))
             }
-            Command::MoveJoints(it) => {
-                let [base, rear, fore, servo] =
-                    [it.base_deg, it.rear_deg, it.fore_deg, it.servo_deg].map(f64::from);
+            Command::MoveJoints(move_joints) => {
+                let [base, rear, fore, servo] = [
+                    move_joints.base_deg,
+                    move_joints.rear_deg,
+                    move_joints.fore_deg,
+                    move_joints.servo_deg,
+                ]
+                .map(f64::from);
                 Some(Spot::joints(Joints::new(base, rear, fore, servo)))
             }
             _ => None,

@@ -114,15 +114,15 @@ fn grab(text: &str, line: usize) -> Result<bool, ProgramError> {
 
 pub(super) fn write(points: &[VendorPoint]) -> String {
     let mut text = String::new();
-    for it in points {
-        let way = match it.mode {
+    for point in points {
+        let way = match point.mode {
             MovingMode::Jump => "0:Jump",
             MovingMode::MovJ => "1:Movj",
             MovingMode::MovL => "2:Movl",
         };
-        let [base, rear, fore, servo] = it.joints_deg;
-        let grab = if it.grab { "YES" } else { "NO" };
-        let (gripper, pause) = (it.gripper_deg, it.pause_s);
+        let [base, rear, fore, servo] = point.joints_deg;
+        let grab = if point.grab { "YES" } else { "NO" };
+        let (gripper, pause) = (point.gripper_deg, point.pause_s);
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,

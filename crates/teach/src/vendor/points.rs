@@ -39,18 +39,18 @@ pub(super) fn read(bytes: &[u8]) -> Result<Read<Vec<VendorPoint>>, ProgramError>
 
 pub(super) fn write(points: &[VendorPoint]) -> String {
     let mut text = format!("<?xml version='1.0' encoding='UTF-8'?>\n<{ROOT}>\n");
-    for it in points {
-        let [base, rear, fore, servo] = it.joints_deg;
-        let style = style(it.mode);
+    for point in points {
+        let [base, rear, fore, servo] = point.joints_deg;
+        let style = style(point.mode);
         let lines = [
             ("motionStyle", style.to_owned()),
-            ("isGrab", it.grab.to_string()),
+            ("isGrab", point.grab.to_string()),
             ("x", base.to_string()),
             ("y", rear.to_string()),
             ("z", fore.to_string()),
             ("rHead", servo.to_string()),
-            ("gripper", it.gripper_deg.to_string()),
-            ("pauseTime", it.pause_s.to_string()),
+            ("gripper", point.gripper_deg.to_string()),
+            ("pauseTime", point.pause_s.to_string()),
         ];
         text.push_str("    <point>\n");
         for (name, value) in lines {

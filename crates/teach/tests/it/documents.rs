@@ -70,7 +70,7 @@ fn a_replaced_step_keeps_the_comment_above_it() {
 }
 
 #[test]
-fn a_point_is_taught_anew_or_for_the_first_time() {
+fn a_point_is_taught_again_or_for_the_first_time() {
     let mut document = ProgramDocument::new(TEXT).unwrap();
     document
         .set_point("here", &Point::Joints([1.0, 2.0, 3.0, 4.0]))

@@ -184,7 +184,7 @@ const BAD: &[(&str, &str, &[&str])] = &[
 ];
 
 #[test]
-fn a_bad_program_is_reported_with_its_line_what_was_found_and_what_is_allowed() {
+fn a_bad_program_is_reported_with_its_line_the_found_and_the_allowed_value() {
     for (text, start, parts) in BAD {
         let error = error(text, &mut NoFiles);
         assert!(error.starts_with(start), "{error}\n{text}");
@@ -261,7 +261,7 @@ fn no_error_of_a_program_has_terms_of_the_parser() {
 }
 
 #[test]
-fn what_is_nested_too_deep_is_refused_quickly() {
+fn excessive_nesting_is_refused_quickly() {
     let arrays = format!("steps = {}", "[".repeat(100_000));
     let inline = format!("steps = {}", "[{repeat=2,steps=".repeat(50_000));
     let header = format!("[[{}steps]]\npause = 1", "steps.".repeat(20_000));
@@ -276,7 +276,7 @@ fn what_is_nested_too_deep_is_refused_quickly() {
 }
 
 #[test]
-fn a_target_carries_grip_and_pause_and_what_is_not_said_stays() {
+fn a_target_carries_grip_and_pause_and_unspecified_values_are_kept() {
     let it = compiled(
         "[[steps]]\ngo = { x = 200, y = 10, z = -5, rotation = 15 }\npath = \"movl\"\nsuction = true\ngripper = 45\npause = 0.5\n\
          [[steps]]\ngo = { base = 10, rear = 20, fore = 30 }\n[[steps]]\nsuction = false\npause = 1",
@@ -338,7 +338,7 @@ fn grids_side_by_side_need_as_many_cells() {
 }
 
 #[test]
-fn a_frame_turns_and_lifts_what_lies_in_it() {
+fn a_frame_turns_and_lifts_its_contents() {
     // Its x axis points left in the base frame, its y axis back.
     let it = compiled(
         "[frames.f]\norigin = {x=200,y=50,z=10}\nx = {x=200,y=80,z=10}\ny = {x=180,y=50,z=10}\n\
@@ -370,7 +370,7 @@ fn the_length_of_a_tool_is_added_to_points_but_not_to_taught_angles() {
 }
 
 #[test]
-fn a_repeat_at_the_end_stands_once_and_says_so() {
+fn a_repeat_at_the_end_is_stored_once_with_its_count() {
     let body = "[[steps.steps]]\ngo = {x=200,y=0,z=0}\nsuction = true\n[[steps.steps]]\ngo = {x=200,y=50,z=0}\nsuction = false\n";
     let it = compiled(&format!(
         "[[steps]]\ngo={{x=220,y=0,z=40}}\n[[steps]]\nrepeat = 10000000\n{body}"
@@ -389,7 +389,7 @@ fn a_repeat_at_the_end_stands_once_and_says_so() {
 }
 
 #[test]
-fn a_first_cycle_that_differs_stands_before_the_others() {
+fn a_first_cycle_that_differs_is_placed_before_the_others() {
     // In the first cycle the gripper is at 0 until the second point; in later ones at 30.
     let it = compiled(
         "[[steps]]\nrepeat = 5\n[[steps.steps]]\ngo = {x=200,y=0,z=0}\n[[steps.steps]]\ngo = {x=200,y=50,z=0}\ngripper = 30",
@@ -444,7 +444,7 @@ fn a_barrier_before_the_first_motion_is_reported_with_a_remedy() {
 }
 
 #[test]
-fn a_wait_stands_before_a_command_of_its_own_and_the_job_takes_it() {
+fn a_wait_is_placed_before_its_own_command_and_becomes_a_pause_of_the_job() {
     let it = compiled(&format!("{GO}[[steps]]\nwait = \"put a cube here\""));
     assert_eq!(
         it.pauses
@@ -497,7 +497,7 @@ fn calls_that_never_end_are_found() {
 }
 
 #[test]
-fn a_drawing_is_a_step_and_behind_it_the_program_says_where_to_go() {
+fn a_drawing_is_a_step_and_must_be_followed_by_a_target() {
     let drawing = "[[steps]]\ndrawing = { file = \"star.svg\", pen_down = -40 }\n";
     let mut files = TestFiles(BTreeMap::new());
     let it = Program::from_toml(&format!("{drawing}{GO}"))

@@ -129,7 +129,7 @@ fn other_encodings_are_read() {
 }
 
 #[test]
-fn a_bad_file_is_reported_with_its_line_what_was_found_and_what_is_allowed() {
+fn a_bad_file_is_reported_with_its_line_the_found_and_the_allowed_value() {
     let bomb = "<?xml version='1.0'?>\n<!DOCTYPE b [<!ENTITY a \"aa\"><!ENTITY b \"&a;&a;\">]>\n<playBack><point><x>&b;</x></point></playBack>";
     for (text, start, part) in [
         (bomb, "line ", "DTD"),
@@ -183,7 +183,7 @@ fn a_bad_file_is_reported_with_its_line_what_was_found_and_what_is_allowed() {
 }
 
 #[test]
-fn what_the_other_form_cannot_carry_is_reported() {
+fn content_that_the_other_form_cannot_carry_is_reported() {
     let program = Program::from_toml("start_speed_percent = 20\n[[steps]]\ngo = {x=200,y=0,z=0}\n[[steps]]\ngo={base=0,rear=45,fore=45}\n[[steps]]\nwait = \"?\"").unwrap();
     let (it, lost) = points_of(&program, &mut NoFiles).unwrap();
     assert_eq!((it.len(), lost.len()), (2, 2), "{lost:?}");

@@ -121,7 +121,7 @@ fn four_cubes_become_a_tower() {
 }
 
 #[test]
-fn a_dipped_rod_stands_on_the_other_side_and_the_baths_where_they_were() {
+fn a_dipped_rod_stands_on_the_other_side_and_the_baths_are_not_moved() {
     ends(
         "dipping.toml",
         "baths.toml",
@@ -134,7 +134,7 @@ fn a_dipped_rod_stands_on_the_other_side_and_the_baths_where_they_were() {
 }
 
 #[test]
-fn each_colour_comes_to_its_place_on_the_tray() {
+fn each_colour_arrives_at_its_place_on_the_tray() {
     ends(
         "sort-by-colour.toml",
         "pick-and-place.toml",

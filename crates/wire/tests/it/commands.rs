@@ -1,4 +1,4 @@
-//! What holds for every command: it reads back what it wrote, and knows where dialects part.
+//! Rules for every command: it reads what it has written, and knows where the dialects differ.
 
 use dobot_arm::Tool;
 use dobot_wire::{
@@ -57,7 +57,7 @@ proptest! {
 }
 
 #[test]
-fn names_the_field_on_which_dialects_part() {
+fn names_the_field_in_which_dialects_differ() {
     let jump = MoveTo::to(200.0, 0.0, 0.0);
     assert_eq!(Command::from(jump).dialect_dependent(), None);
     let line = MoveTo {

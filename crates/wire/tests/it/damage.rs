@@ -13,7 +13,7 @@ proptest! {
     #![proptest_config(seeded(100_000))]
 
     #[test]
-    fn one_damaged_byte_costs_at_most_the_status_that_it_hit(
+    fn one_damaged_byte_costs_at_most_its_own_status(
         sent in prop::collection::vec(status(), 2..6),
         damage in damage(),
     ) {
@@ -29,7 +29,7 @@ proptest! {
     }
 
     #[test]
-    fn one_damaged_byte_costs_at_most_the_command_that_it_hit(
+    fn one_damaged_byte_costs_at_most_its_own_command(
         sent in prop::collection::vec(packet(), 2..6),
         damage in damage(),
     ) {
@@ -68,7 +68,7 @@ proptest! {
     }
 
     #[test]
-    fn noise_costs_no_status_and_makes_none(
+    fn noise_loses_no_status_and_creates_none(
         parts in prop::collection::vec((noise(0..100), status()), 1..6),
     ) {
         let bytes = noisy(parts.iter().map(|(noise, status)| (&noise[..], status.emit().to_bytes())));
@@ -77,7 +77,7 @@ proptest! {
     }
 
     #[test]
-    fn noise_costs_no_command(
+    fn noise_loses_no_command(
         parts in prop::collection::vec((noise(0..100), packet()), 1..6),
     ) {
         let bytes = noisy(parts.iter().map(|(noise, packet)| (&noise[..], packet.to_bytes())));
@@ -125,7 +125,7 @@ fn finds_the_commands_of_a_stream_joined_at_a_false_header() {
 }
 
 #[test]
-fn delivers_every_bad_command_that_stands_in_its_place() {
+fn delivers_every_bad_command_at_its_place() {
     let bad =
         [f32::NAN, 0.0, 12.0, -3.0, 1.5, f32::INFINITY].map(|state| Frame::ZERO.with(1, state));
     let bytes = stream(bad.map(|frame| frame.to_bytes()));
@@ -136,7 +136,7 @@ fn delivers_every_bad_command_that_stands_in_its_place() {
 }
 
 #[test]
-fn skips_a_bad_command_that_stands_behind_noise() {
+fn skips_a_bad_command_after_noise() {
     let bad = Frame::ZERO.with(1, 12.0).to_bytes();
     let good: Packet = JointJog::new(JointJogAxis::Released, 0.0)
         .emit(&DIALECT)
@@ -150,7 +150,7 @@ fn skips_a_bad_command_that_stands_behind_noise() {
 /// Without the last byte of its servo angle, the second command reads `A5 00 00 80 3F` inside, as a
 /// mouse move begins, and the third holds a `5A` where that would end.
 #[test]
-fn takes_no_command_out_of_the_pieces_of_two() {
+fn makes_no_command_from_the_pieces_of_two() {
     let angles = [
         [0.0; 4],
         [TRAP_DEG; 4],
@@ -204,7 +204,7 @@ enum Damage {
 }
 
 impl Damage {
-    /// Damages one byte; says which packet it hit, if any.
+    /// Damages one byte; returns the damaged packet, if any.
     fn hit(&self, mut bytes: Vec<u8>) -> (Vec<u8>, Option<usize>) {
         let at = match self {
             Self::Flip(at, mask) => {

@@ -1,4 +1,4 @@
-//! The packets of `vectors/` mean what they say, and are written as they stand there.
+//! The packets of `vectors/` have the stated meaning, and are written exactly as given there.
 
 use std::fs;
 use std::path::Path;
@@ -7,7 +7,7 @@ use dobot_wire::{Command, Dialect, Frame, PACKET_LEN, Packet, Status};
 use serde::Deserialize;
 
 #[test]
-fn every_vector_means_what_it_says() {
+fn every_vector_has_the_stated_meaning() {
     let vectors = vectors();
     assert!(vectors.len() > 70, "only {} vectors", vectors.len());
     for vector in &vectors {

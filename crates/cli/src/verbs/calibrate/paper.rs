@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn the_paper_is_kept_beside_the_zeros_of_the_arm_after_it_was_shown() {
+    fn the_paper_is_saved_with_the_zeros_of_the_arm_after_it_was_shown() {
         let known = CalibrationFile {
             zeros: Zeros {
                 base: 3.0,
@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn another_key_between_the_two_keeps_nothing() {
+    fn another_key_before_the_confirmation_saves_nothing() {
         let mut it = toucher(None);
         touch_all(&mut it, 3);
         press(&mut it, KeyCode::Char('w'));

@@ -124,7 +124,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_gauge_is_read_in_one_number_or_three() {
+    fn a_gauge_is_read_as_one_number_or_three() {
         assert_eq!(reading(" 0.12\n"), Some([0.12, 0.0, 0.0]));
         assert_eq!(reading("0.1, -0.2 3"), Some([0.1, -0.2, 3.0]));
         for wrong in ["", "x", "1 2", "1 2 3 4", "nan", "1e9"] {

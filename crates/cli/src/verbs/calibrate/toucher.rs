@@ -278,7 +278,7 @@ mod tests {
         it
     }
 
-    /// The tip stands on a point of the sheet.
+    /// The tip is on a point of the sheet.
     fn on([x, y]: [f64; 2]) -> State {
         at(Position::new(x, y, -40.0))
     }
@@ -311,7 +311,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_found_is_kept_only_after_it_was_shown() {
+    fn a_result_is_saved_only_after_it_was_shown() {
         let mut it = toucher(None);
         touch_all(&mut it);
         press(&mut it, KeyCode::Char('w'));
@@ -328,7 +328,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_known_is_kept_beside_it_first() {
+    fn a_previous_calibration_is_backed_up_first() {
         let known = CalibrationFile::default();
         let mut it = toucher(Some(known.clone()));
         touch_all(&mut it);
@@ -343,7 +343,7 @@ mod tests {
     }
 
     #[test]
-    fn a_touch_of_a_block_counts_as_so_much_higher() {
+    fn a_touch_on_a_block_is_corrected_by_its_height() {
         let mut it = toucher(None);
         touch_all(&mut it);
         let flat = it.outcome.clone().unwrap();
@@ -360,7 +360,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unusual_tool_is_kept_only_after_it_was_measured() {
+    fn an_unusual_tool_is_saved_only_after_it_was_measured() {
         let mut it = toucher(None);
         let long = Calibration {
             reach_mm: 10.0,
@@ -380,7 +380,7 @@ mod tests {
     }
 
     #[test]
-    fn too_few_touches_are_not_kept() {
+    fn too_few_touches_are_not_saved() {
         let mut it = toucher(None);
         for point in &SHEET_POINTS[..3] {
             it.handle_state(on(*point));
@@ -407,7 +407,7 @@ mod tests {
     }
 
     #[test]
-    fn a_touch_from_the_other_side_is_not_recorded() {
+    fn a_touch_from_the_wrong_side_is_not_recorded() {
         let mut it = toucher(None);
         let mut state = on(SHEET_POINTS[0]);
         state.arm.as_mut().unwrap().touch_refused =

@@ -202,13 +202,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_differs_between_the_dialects_is_read_in_both() {
+    fn a_packet_that_the_dialects_read_differently_is_shown_in_both() {
         let frame = Frame::ZERO.with(1, 3.0).with(8, 1.0);
         assert_eq!(readings(&frame.into(), None).len(), 2);
     }
 
     #[test]
-    fn what_a_stock_arm_takes_all_the_same_is_said() {
+    fn the_leniency_of_a_stock_arm_is_reported() {
         let sliders = Frame::ZERO.with(1, 10.0).with(3, 58.0).with(4, 38.0);
         let stock_takes = |dialect| readings(&sliders.into(), dialect)[0].stock_takes;
         assert!(stock_takes(Some(Dialect::FIRMWARE_1_1)));

@@ -359,7 +359,7 @@ mod tests {
     }
 
     #[test]
-    fn one_bad_status_does_not_make_commands_of_the_others() {
+    fn one_bad_status_does_not_turn_the_others_into_commands() {
         let mut bytes = joined(&[STATUS; 75]);
         bytes[40 * 42 + 3] ^= 0x40;
         let expected = format!("{}d{}", "s".repeat(40), "s".repeat(34));
@@ -368,7 +368,7 @@ mod tests {
     }
 
     #[test]
-    fn each_packet_of_a_file_with_both_directions_is_what_it_is() {
+    fn packets_of_a_file_with_both_directions_are_classified_one_by_one() {
         let bytes = joined(&[STATUS, MOVE, STATUS, BAD_MOVE, STATUS, STATUS]);
         assert_eq!(kinds(&bytes, SenderOption::Auto), "scsrss");
         let noisy = [&bytes[..84], &[0xA5, 0x17, 0x00], &bytes[84..]].concat();
@@ -405,7 +405,7 @@ mod tests {
     }
 
     #[test]
-    fn a_packet_that_makes_no_sense_is_one_of_who_sent_the_others() {
+    fn a_meaningless_packet_belongs_to_the_sender_of_the_others() {
         let nonsense = [1.5, 0.0, 200.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
         assert_eq!(kinds(&joined(&[MOVE, nonsense]), SenderOption::Auto), "cr");
         assert_eq!(
@@ -418,7 +418,7 @@ mod tests {
     }
 
     #[test]
-    fn a_packet_that_was_cut_short_does_not_swallow_the_next() {
+    fn a_truncated_packet_does_not_swallow_the_next() {
         let cut = &packet(MOVE)[..30];
         let bytes = [cut, &joined(&[STATUS, MOVE])].concat();
         assert_eq!(kinds(&bytes, SenderOption::Auto), "-sc");
@@ -475,6 +475,6 @@ mod tests {
         0.0,
     ];
     const MOVE: [f32; 10] = [3.0, 0.0, 200.0, -50.0, 20.0, 15.0, 0.0, 0.0, 0.0, 0.0];
-    /// With a moving mode that nobody knows.
+    /// With an unknown moving mode.
     const BAD_MOVE: [f32; 10] = [3.0, 0.0, 200.0, -50.0, 20.0, 15.0, 0.0, 7.0, 0.0, 0.0];
 }

@@ -70,7 +70,7 @@ mod tests {
     }
 
     #[test]
-    fn a_position_may_be_off_by_what_its_decimals_explain_and_no_more() {
+    fn a_position_may_deviate_by_the_rounding_of_its_decimals_and_no_more() {
         // A real arm at base -33, rear 14, fore 29 degrees, its position with one decimal.
         let status = |x: f32, base: f32| {
             let frame = Frame::ZERO

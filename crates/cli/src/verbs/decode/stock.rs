@@ -49,7 +49,7 @@ mod tests {
     }
 
     #[test]
-    fn what_old_programs_send_is_taken() {
+    fn packets_of_old_programs_are_accepted() {
         for floats in [
             // The vendor's sliders.
             [10.0, 0.0, 100.0, 58.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
@@ -69,7 +69,7 @@ mod tests {
     }
 
     #[test]
-    fn what_makes_it_hang_or_lose_its_pose_is_not_taken() {
+    fn packets_that_hang_an_arm_or_lose_its_pose_are_not_accepted() {
         for floats in [
             // States, axes and moving modes that do not exist (note N51).
             [11.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],

@@ -57,7 +57,7 @@ fn hex_bytes(digits: &str) -> Option<Vec<u8>> {
 mod tests {
     use super::*;
 
-    /// What is read from a text in one direction.
+    /// The content of a text in one direction.
     fn bytes(text: &str) -> Result<Vec<u8>, String> {
         let input = read(text).map_err(|error| error.to_string())?;
         let [stream] = &input.streams[..] else {
@@ -67,7 +67,7 @@ mod tests {
     }
 
     #[test]
-    fn digits_may_be_written_in_any_usual_way() {
+    fn digits_may_be_written_in_any_usual_form() {
         for text in [
             "a500ff41",
             "A5 00 ff41",
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_that_is_missing_in_a_dump_is_told() {
+    fn a_line_missing_from_a_dump_is_reported() {
         let od = "0000000 a5 00\n0000004 ff 41\n0000006\n";
         let hex = "000010 a5 00\n000020 ff 41\n";
         for (text, expected) in [
@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_told_with_its_line() {
+    fn an_error_is_reported_with_its_line() {
         for (text, expected) in [
             (
                 "hello",

@@ -220,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn json_says_the_same_in_the_same_words() {
+    fn json_gives_the_same_settings_in_the_same_words() {
         for (arguments, json) in [
             (&[][..], json!({})),
             (

@@ -116,7 +116,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_what_takes_longer_than_an_hour_is_told_before_it_is_planned() {
+    fn only_preparations_longer_than_an_hour_are_announced() {
         assert_eq!(hours(3500.0), None);
         for (roughly_s, text) in [
             (4000.0, "about 1 hour of"),

@@ -278,7 +278,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_size_is_told_with_three_digits_that_count() {
+    fn a_size_is_shown_with_three_significant_digits() {
         for (factor, text) in [
             (12.0, "1200"),
             (1.234, "123"),

@@ -229,7 +229,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn work_in_doubt_tells_where_to_look_and_what_a_person_can_do() {
+    fn work_in_doubt_is_listed_with_where_to_look_and_what_to_do() {
         let member = |name: &str| WorkMember {
             name: name.into(),
             id: "0".repeat(32),

@@ -252,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn the_service_of_a_machine_has_a_folder_of_its_own() {
+    fn the_service_of_a_machine_has_its_own_folder() {
         let text = ServiceManager::Systemd.text(&unit(Scope::System));
         for line in [
             "StateDirectory=dobot",

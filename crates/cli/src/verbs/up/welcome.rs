@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn it_says_where_to_go_which_arm_and_how_to_end() {
+    fn it_shows_the_address_the_arm_and_how_to_quit() {
         let text = welcome().text(false);
         for part in [
             "page         http://127.0.0.1:8642\n",
@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn what_goes_to_a_file_has_no_colours() {
+    fn output_to_a_file_has_no_colours() {
         assert!(!welcome().text(false).contains('\x1b'));
         let noted = Welcome {
             notes: vec!["nothing is recorded".into()],

@@ -261,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn the_dashboard_shows_where_the_arm_is_and_how_good_the_link() {
+    fn the_dashboard_shows_the_place_of_the_arm_and_the_quality_of_the_link() {
         shows(
             &view(),
             &[
@@ -316,7 +316,7 @@ mod tests {
     }
 
     #[test]
-    fn the_dashboard_shows_what_the_station_waits_for() {
+    fn the_dashboard_shows_the_reason_for_a_wait() {
         let searching = with(|state| {
             state.link.phase = LinkPhase::Searching;
             state.link.problem = Some("no permission for /dev/ttyUSB0".into());
@@ -342,7 +342,7 @@ mod tests {
     }
 
     #[test]
-    fn the_dashboard_shows_how_far_the_job_is_and_how_long_it_still_takes() {
+    fn the_dashboard_shows_the_progress_and_the_remaining_time_of_the_job() {
         let drawing = with(|state| {
             state.job = Some(JobView {
                 job: 4,
@@ -375,7 +375,7 @@ mod tests {
     }
 
     #[test]
-    fn the_dashboard_shows_who_has_control_and_who_asks_for_it() {
+    fn the_dashboard_shows_the_lease_holder_and_the_requester() {
         let lease = r#"{"client": 5, "name": "the page", "since_s": 1.0,
                 "asked_by": [{"client": 9, "name": "dobot jog"}]}"#;
         let held = with(|state| {
@@ -386,7 +386,7 @@ mod tests {
     }
 
     #[test]
-    fn the_dashboard_shows_the_laser_and_for_how_long_it_is_armed() {
+    fn the_dashboard_shows_the_laser_and_its_remaining_arming_time() {
         shows(&view(), &["disarmed"]);
         let armed = with(|state| state.laser.armed_for_s = 90.0);
         shows(&armed, &["armed 1:30 min"]);
@@ -410,7 +410,7 @@ mod tests {
     }
 
     #[test]
-    fn the_dashboard_says_that_what_it_shows_is_old_when_the_station_is_gone() {
+    fn the_dashboard_reports_old_data_when_the_station_is_gone() {
         let mut view = view();
         view.lost = Some("the station closed the connection".into());
         shows(&view, &["NO STATION", "the data is outdated"]);
@@ -434,7 +434,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stop_is_seen_on_the_smallest_terminal() {
+    fn a_stop_is_visible_on_the_smallest_terminal() {
         let stopped = with(|state| {
             state.stop = Some(StopView {
                 by: "me".into(),

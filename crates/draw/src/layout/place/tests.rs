@@ -49,7 +49,7 @@ fn fitting_scales_up_and_down_and_keeps_the_aspect() {
 }
 
 #[test]
-fn what_is_to_stay_within_the_area_shrinks_but_never_grows() {
+fn a_drawing_limited_to_the_area_shrinks_but_never_grows() {
     let within = Placement {
         size: Size::Within,
         ..Placement::default()
@@ -125,7 +125,7 @@ fn a_scale_must_be_a_number_above_0() {
 }
 
 #[test]
-fn a_straight_line_through_the_hole_around_the_base_is_found_out() {
+fn a_straight_line_through_the_hole_around_the_base_is_detected() {
     let paper = Paper::default();
     let ends_fine = [line(&[(0.0, 150.0), (0.0, -150.0)])];
     let pass = Pass::new(DrawingTool::default(), ends_fine.to_vec());
@@ -153,7 +153,7 @@ fn a_straight_line_through_the_hole_around_the_base_is_found_out() {
 }
 
 #[test]
-fn a_way_through_the_hole_around_the_base_is_reported_from_a_line_through_it() {
+fn a_path_through_the_hole_around_the_base_is_distinguished_from_a_line_through_it() {
     let dots = [
         line(&[(0.0, 150.0), (1.0, 150.0)]),
         line(&[(0.0, -150.0), (1.0, -150.0)]),
@@ -179,7 +179,7 @@ fn a_way_through_the_hole_around_the_base_is_reported_from_a_line_through_it() {
 }
 
 #[test]
-fn a_place_beyond_the_reach_is_reported_as_a_place_and_not_as_a_way_however_the_pen_gets_there() {
+fn a_place_beyond_reach_is_reported_as_a_place_and_not_as_a_path_for_any_travel_of_the_pen() {
     let lines = [
         line(&[(200.0, 0.0), (210.0, 0.0)]),
         line(&[(330.0, 0.0), (210.0, 20.0)]),
@@ -197,7 +197,7 @@ fn a_place_beyond_the_reach_is_reported_as_a_place_and_not_as_a_way_however_the_
 }
 
 #[test]
-fn a_laser_whose_run_leads_beyond_the_reach_is_reported_to_burn_slower() {
+fn a_laser_whose_acceleration_distance_is_out_of_reach_is_reported_to_burn_slower() {
     // At 100 mm/s the run-up takes some 55 mm.
     let laser = |burn_speed_mm_s| {
         DrawingTool::Laser(dobot_plan::Laser {
@@ -270,8 +270,7 @@ fn first(placement: &Placement, artwork: Artwork) -> (Point, f64) {
 }
 
 #[test]
-fn a_page_whose_ink_reaches_all_its_edges_keeps_its_corner_and_ink_without_a_page_goes_to_the_middle()
- {
+fn a_page_full_of_ink_keeps_its_corner_and_ink_without_a_page_is_centred() {
     let frame = |has_page: bool| {
         let corners = [
             (0.0, 0.0),
@@ -320,7 +319,7 @@ fn a_page_keeps_its_corner_on_the_sheet() {
 }
 
 #[test]
-fn what_is_to_fit_a_sheet_fills_it_with_its_ink() {
+fn a_drawing_fitted_to_a_sheet_fills_it_with_its_ink() {
     let fitting = on_a5(|placement| {
         placement.size = Size::Fit;
         placement.margin_mm = 4.0;
@@ -331,7 +330,7 @@ fn what_is_to_fit_a_sheet_fills_it_with_its_ink() {
 }
 
 #[test]
-fn what_is_larger_than_the_area_goes_where_the_arm_reaches_all_of_it() {
+fn a_drawing_larger_than_the_area_is_placed_within_reach() {
     let placement = Placement {
         reach: Some([130.0, 320.0]),
         ..Placement::default()

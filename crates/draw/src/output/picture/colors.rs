@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pass_has_the_colour_of_its_file_unless_nobody_would_see_it() {
+    fn a_pass_has_the_colour_of_its_file_unless_it_would_be_invisible() {
         let pass = |color| Pass {
             color,
             ..Pass::new(

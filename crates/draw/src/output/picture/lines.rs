@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_is_cut_where_its_class_changes_and_nothing_of_it_is_lost() {
+    fn a_line_is_cut_where_its_class_changes_and_no_part_is_lost() {
         let pieces = pieces(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
         assert_eq!(
             pieces,

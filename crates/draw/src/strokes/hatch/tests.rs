@@ -52,7 +52,7 @@ fn holds(area: &Area, p: Point) -> bool {
 }
 
 #[test]
-fn a_square_is_filled_in_one_stroke_to_and_fro() {
+fn a_square_is_filled_in_one_stroke_back_and_forth() {
     let strokes = hatch(&area(&[SQUARE], FillRule::NonZero), &along_x(1.0)).unwrap();
     assert_eq!(strokes.len(), 1);
     assert_eq!(strokes[0].points.len(), 20);
@@ -64,7 +64,7 @@ fn a_square_is_filled_in_one_stroke_to_and_fro() {
 }
 
 #[test]
-fn a_hole_stays_empty_whichever_rule_makes_it() {
+fn a_hole_stays_empty_under_either_fill_rule() {
     let turned: Vec<(f64, f64)> = HOLE.iter().rev().copied().collect();
     let odd = hatch(&area(&[SQUARE, HOLE], FillRule::EvenOdd), &along_x(0.5)).unwrap();
     let against = hatch(&area(&[SQUARE, &turned], FillRule::NonZero), &along_x(0.5)).unwrap();
@@ -101,7 +101,7 @@ fn crossed_lines_run_at_a_right_angle_to_the_first() {
 }
 
 #[test]
-fn lines_that_stay_apart_are_the_same_lines_each_for_itself() {
+fn separate_lines_are_the_same_lines_as_individual_strokes() {
     let ringed = area(&[SQUARE, HOLE], FillRule::EvenOdd);
     let apart = Hatch {
         apart: true,
@@ -134,7 +134,7 @@ fn far_from(strokes: &[Stroke], p: Point) -> f64 {
 }
 
 #[test]
-fn concentric_lines_are_the_outline_farther_and_farther_inside() {
+fn concentric_lines_are_insets_of_the_outline() {
     let settings = wound(HatchStyle::Concentric, 1.0);
     let strokes = hatch(&area(&[SQUARE], FillRule::NonZero), &settings).unwrap();
     let mut lengths: Vec<f64> = strokes
@@ -147,7 +147,7 @@ fn concentric_lines_are_the_outline_farther_and_farther_inside() {
 }
 
 #[test]
-fn concentric_lines_go_around_holes_and_begin_at_the_inset() {
+fn concentric_lines_go_around_holes_and_start_at_the_inset() {
     let settings = Hatch {
         inset_mm: 0.25,
         ..wound(HatchStyle::Concentric, 0.5)
@@ -212,7 +212,7 @@ fn an_inset_keeps_the_lines_away_from_the_border() {
 }
 
 #[test]
-fn what_has_no_inside_has_no_lines() {
+fn a_shape_without_an_inside_has_no_lines() {
     let degenerate: [&[(f64, f64)]; 4] = [
         &[],
         &[(1.0, 1.0)],
@@ -226,7 +226,7 @@ fn what_has_no_inside_has_no_lines() {
 }
 
 #[test]
-fn numbers_that_make_no_hatch_are_refused() {
+fn invalid_numbers_are_refused() {
     let square = area(&[SQUARE], FillRule::NonZero);
     for spacing_mm in [0.0, 0.049, -1.0, f64::NAN, f64::INFINITY] {
         let error = hatch(&square, &along_x(spacing_mm)).unwrap_err();

@@ -134,21 +134,21 @@ mod tests {
     }
 
     #[test]
-    fn dense_rows_of_ends_know_each_other_across_a_gap() {
+    fn dense_rows_of_endpoints_are_neighbours_across_a_gap() {
         let facing = |x: f64| row(40, move |i| Point::new(x + 0.1 * (2.0 * i).sin(), 0.6 * i));
         assert!(is_joined(&facing(0.0), &facing(15.0)));
         assert!(is_joined(&facing(15.0), &facing(0.0)));
     }
 
     #[test]
-    fn a_heap_in_one_place_knows_its_surroundings() {
+    fn a_cluster_has_neighbours_outside_of_it() {
         let heap = vec![Point::new(3.0, 4.0); 30];
         assert!(is_joined(&heap, &row(9, |i| Point::new(i, 20.0))));
         assert!(is_joined(&heap, &[Point::new(50.0, 50.0)]));
     }
 
     #[test]
-    fn what_lies_on_one_line_is_joined_too() {
+    fn collinear_points_are_connected_too() {
         let along = |begin: f64| row(20, move |i| Point::new(begin + 0.5 * i, 7.0));
         assert!(is_joined(&along(0.0), &along(100.0)));
     }

@@ -385,7 +385,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn parts_cost_what_they_cost_with_every_stroke_turned_as_is_best(
+        fn the_cost_of_a_row_is_that_of_its_best_turned_parts(
             ends in proptest::collection::vec([(0..9, 0..9), (0..9, 0..9)], 4..9),
             cuts in [0.0..1.0, 0.0..1.0, 0.0..1.0_f64],
             backward: [bool; 2],

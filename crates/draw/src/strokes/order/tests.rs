@@ -23,7 +23,7 @@ fn line(points: &[(f64, f64)]) -> Stroke {
 }
 
 #[test]
-fn goes_on_with_the_nearest_and_turns_it_where_that_is_nearer() {
+fn continues_with_the_nearest_stroke_and_turns_it_if_that_is_nearer() {
     let strokes = vec![
         line(&[(50.0, 0.0), (60.0, 0.0)]),
         line(&[(20.0, 0.0), (11.0, 0.0)]),
@@ -35,7 +35,7 @@ fn goes_on_with_the_nearest_and_turns_it_where_that_is_nearer() {
 }
 
 #[test]
-fn a_closed_stroke_begins_at_its_nearest_corner() {
+fn a_closed_stroke_starts_at_its_nearest_corner() {
     let mut square = line(&[(9.0, 9.0), (5.0, 9.0), (5.0, 5.0), (9.0, 5.0), (9.0, 9.0)]);
     square.closed = true;
     let ordered = order(vec![square], Point::default(), &SEARCH);
@@ -46,7 +46,7 @@ fn a_closed_stroke_begins_at_its_nearest_corner() {
 }
 
 #[test]
-fn a_line_that_ends_where_it_began_may_begin_anywhere_too() {
+fn a_line_that_ends_at_its_start_may_also_start_anywhere() {
     let ring = line(&[(9.0, 0.0), (5.0, 0.0), (5.0, 5.0), (9.0, 0.0)]);
     let ordered = order(vec![ring], Point::default(), &SEARCH);
     assert_eq!(ordered[0].points[0], Point::new(5.0, 0.0));
@@ -99,7 +99,7 @@ proptest! {
 }
 
 #[test]
-fn small_drawings_get_the_best_order_there_is() {
+fn small_drawings_get_the_optimal_order() {
     let mut random = Random::new(5);
     let mut point = || Point::new(f64::from(random.below(1000)), f64::from(random.below(1000)));
     for _ in 0..60 {
@@ -129,7 +129,7 @@ fn least(left: &mut Vec<Stroke>, here: Point) -> f64 {
 }
 
 #[test]
-fn a_field_of_dots_is_gone_through_almost_without_a_detour() {
+fn a_field_of_dots_is_traversed_almost_without_a_detour() {
     // The best path through a square of 30 x 30 from a corner is 899 steps.
     let mut random = Random::new(9);
     let mut dots: Vec<Stroke> = (0..900_u32)
@@ -147,7 +147,7 @@ fn a_field_of_dots_is_gone_through_almost_without_a_detour() {
 }
 
 #[test]
-fn a_cancelled_search_tries_nothing_more() {
+fn a_cancelled_search_stops_at_once() {
     let mut random = Random::new(4);
     let mut dot = || line(&[(random.share() * 100.0, random.share() * 100.0)]);
     let dots: Vec<Stroke> = (0..500).map(|_| dot()).collect();
@@ -166,7 +166,7 @@ fn a_cancelled_search_tries_nothing_more() {
 }
 
 #[test]
-fn thousands_of_dots_in_the_same_two_places_take_one_way_between() {
+fn thousands_of_dots_at_the_same_two_places_need_one_travel_between_them() {
     let dots = (0..4000).map(|i| line(&[(f64::from(i % 2) * 7.0, 0.0)]));
     let ordered = order(dots.collect(), Point::default(), &SEARCH);
     assert_eq!(travel_mm(&ordered), 7.0);
@@ -184,7 +184,7 @@ fn a_shuffled_line_of_segments_is_put_together_again() {
 }
 
 #[test]
-fn in_arm_time_a_way_costs_its_trapezoid_but_never_less_than_a_packet() {
+fn in_arm_time_a_travel_costs_its_trapezoid_but_never_less_than_a_packet() {
     let travel = Travel::Time {
         speed_mm_s: 50.0,
         acceleration_mm_s2: 100.0,
@@ -209,7 +209,7 @@ fn in_arm_time_a_way_costs_its_trapezoid_but_never_less_than_a_packet() {
 }
 
 #[test]
-fn by_arm_time_no_order_is_slower_than_the_one_given() {
+fn by_arm_time_no_order_is_slower_than_the_given_one() {
     let travel = Travel::Time {
         speed_mm_s: 80.0,
         acceleration_mm_s2: 100.0,

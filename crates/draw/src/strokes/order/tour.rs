@@ -309,7 +309,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn an_exchange_swaps_just_its_edges_and_can_be_taken_back(
+        fn an_exchange_swaps_only_its_edges_and_can_be_undone(
             places in proptest::collection::btree_set(0_u32..12, 2..=MOST),
             backward in proptest::collection::vec(any::<bool>(), MOST),
         ) {

@@ -348,20 +348,20 @@ mod tests {
     }
 
     #[test]
-    fn a_whole_hatching_is_turned_where_it_is_begun_on_the_wrong_side() {
+    fn a_whole_hatching_is_reversed_if_it_begins_on_the_wrong_side() {
         let lines = to_and_fro(0..40, 9.0, 0.0);
         assert_eq!(before_and_after(&lines), (48.0, 39.0));
     }
 
     #[test]
-    fn lines_that_come_late_are_moved_in_and_those_behind_them_turned() {
+    fn late_lines_are_moved_forward_and_the_following_ones_reversed() {
         let rows = (0..5).chain(8..20).chain(5..8);
         let (before, after) = before_and_after(&to_and_fro(rows, 0.0, 9.0));
         assert!(before > 30.0 && after == 19.0, "{before}, {after} mm");
     }
 
     #[test]
-    fn few_strokes_or_none_stay_as_good_as_they_are() {
+    fn a_few_strokes_or_none_do_not_get_worse() {
         for count in 0..4 {
             let lines: Vec<Stroke> = (0..count)
                 .map(|i| line((f64::from(i), 0.0), (f64::from(i), 5.0)))

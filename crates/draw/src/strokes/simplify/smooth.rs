@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn tremor_is_gone_and_the_curve_stays() {
+    fn tremor_is_removed_and_the_curve_is_kept() {
         let points = trembling_arc();
         let corridor = Corridor::new(&points, false, 0.045);
         let path = smooth(&corridor).expect("a path");
@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn a_few_points_and_turns_closer_than_the_spacing_are_left_alone() {
+    fn few_points_and_turns_closer_than_the_spacing_are_unchanged() {
         let zigzag = [(0.0, 0.0), (1.0, 0.0), (0.0, 0.1)].map(Point::from);
         assert!(smooth(&Corridor::new(&zigzag, false, 0.045)).is_none());
         // Loops 0.1 mm wide, which a path along points 0.25 mm apart cannot follow.

@@ -23,7 +23,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn parts_depend_on_each_other_through_others_and_only_while_a_barrier_is_before_them() {
+    fn parts_depend_on_each_other_indirectly_and_only_until_their_barrier() {
         let ahead = [&["x"][..], &["x", "y"], &["y"], &["z"], &["z"], &[]];
         let ahead = ahead.map(|names| names.iter().copied().collect::<BTreeSet<_>>());
         assert_eq!(dependents(&ahead, 0), [1, 2]);

@@ -40,7 +40,7 @@ fn rehearsed(parts: &[Part]) -> Rehearsal {
 const STATUSES_S: f64 = 0.35;
 
 #[test]
-fn one_waits_at_the_barrier_for_as_long_as_the_other_pauses_before_it() {
+fn a_part_waits_at_the_barrier_for_as_long_as_the_other_pauses_before_it() {
     let rehearsal = rehearsed(&[
         part("one", &there_and_back(0)),
         part("two", &there_and_back(5)),
@@ -69,7 +69,7 @@ fn one_waits_at_the_barrier_for_as_long_as_the_other_pauses_before_it() {
 }
 
 #[test]
-fn what_goes_on_for_ever_is_rehearsed_until_it_has_shown_its_cycle() {
+fn an_endless_part_is_rehearsed_until_it_has_shown_its_cycle() {
     let cycle = "[[steps]]\nrepeat = \"forever\"\n\
                  [[steps.steps]]\ngo = { x = 200, y = 60, z = 0 }\n\
                  [[steps.steps]]\nbarrier = \"there\"\n\
@@ -83,7 +83,7 @@ fn what_goes_on_for_ever_is_rehearsed_until_it_has_shown_its_cycle() {
 }
 
 #[test]
-fn a_part_that_breaks_a_rule_is_told_with_its_file() {
+fn a_part_that_breaks_a_rule_is_reported_with_its_file() {
     let deep = there_and_back(0).replace("y = -60, z = 0", "y = -60, z = -200");
     let parts = [part("one", &there_and_back(0)), part("two", &deep)];
     let error = rehearse(&parts, &Policy::default(), Personality::Specification).unwrap_err();

@@ -128,7 +128,7 @@ impl World {
         self.desks[part].silent_until = Duration::MAX;
         while self.held().is_empty() {
             self.round();
-            assert!(self.now < since + Duration::from_secs(5), "nobody holds");
+            assert!(self.now < since + Duration::from_secs(5), "no part holds");
         }
         let took = self.now.saturating_sub(since);
         assert!(took >= Duration::from_secs(3), "{took:?}");

@@ -78,7 +78,7 @@ pub(super) struct Desk {
     /// Whether a person is present who starts waiting jobs.
     pub(super) has_person: bool,
     pub(super) takes_work: TakesWork,
-    /// Whether it can start what it takes, with automatic starts.
+    /// Whether it can start its accepted work, with automatic starts.
     pub(super) can_start: bool,
 }
 

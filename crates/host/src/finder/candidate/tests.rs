@@ -42,7 +42,7 @@ fn addresses(search: &Search, ports: &[Port]) -> Vec<String> {
 }
 
 #[test]
-fn chips_of_arms_come_before_other_usb_chips_and_what_is_not_usb_never() {
+fn usb_chips_of_arms_come_before_other_usb_chips_and_ports_without_usb_are_never_tried() {
     let ports = [
         usb("/dev/ttyACM0", 0x1234, 0x5678, None),
         plain("/dev/ttyAMA0"),
@@ -64,7 +64,7 @@ fn chips_of_arms_come_before_other_usb_chips_and_what_is_not_usb_never() {
 }
 
 #[test]
-fn every_kind_of_chip_that_arms_have_comes_first() {
+fn every_kind_of_usb_chip_in_arms_comes_first() {
     for (vendor, product) in [
         (0x2341, 0x0010),
         (0x2341, 0x0042),
@@ -82,7 +82,7 @@ fn every_kind_of_chip_that_arms_have_comes_first() {
 }
 
 #[test]
-fn the_port_that_was_found_last_comes_first_at_its_speed() {
+fn the_port_with_the_last_arm_comes_first_at_its_baud_rate() {
     let ports = [ch340("/dev/ttyUSB0"), ch340("/dev/ttyUSB1")];
     let search = found_at(&ports[1], 115_200);
     let choice = choose(&search, &ports);
@@ -95,7 +95,7 @@ fn the_port_that_was_found_last_comes_first_at_its_speed() {
 }
 
 #[test]
-fn a_chip_with_a_number_of_its_own_is_known_again_wherever_it_is() {
+fn a_chip_with_a_serial_number_is_recognised_at_any_port() {
     let was = usb("/dev/ttyACM0", 0x2341, 0x0042, Some("7543"));
     let ports = [
         usb("/dev/ttyACM0", 0x2341, 0x0042, Some("1111")),
@@ -111,7 +111,7 @@ fn a_chip_with_a_number_of_its_own_is_known_again_wherever_it_is() {
 }
 
 #[test]
-fn a_chip_without_a_number_that_has_another_name_now_comes_first_but_is_not_sure() {
+fn a_chip_without_a_serial_number_at_a_new_port_comes_first_but_is_not_sure() {
     let ports = [
         usb("/dev/ttyACM0", 0x2341, 0x0042, None),
         ch340("/dev/ttyUSB1"),
@@ -125,21 +125,21 @@ fn a_chip_without_a_number_that_has_another_name_now_comes_first_but_is_not_sure
 }
 
 #[test]
-fn another_device_under_the_name_of_the_arm_is_not_taken_for_it() {
+fn another_device_at_the_port_name_of_the_arm_is_not_mistaken_for_it() {
     let ports = [usb("/dev/ttyUSB0", 0x067b, 0x2303, None)];
     let choice = choose(&found_at(&ch340("/dev/ttyUSB0"), 9600), &ports);
     assert!(!choice.candidates[0].sure);
 }
 
 #[test]
-fn a_port_that_is_no_usb_port_is_tried_again_where_an_arm_was_found_there() {
+fn a_port_without_usb_is_tried_again_if_an_arm_was_found_there() {
     let ports = [plain("/dev/ttyS0"), plain("/dev/ttyS1")];
     let found = addresses(&found_at(&ports[1], 9600), &ports);
     assert_eq!(found, ["serial:/dev/ttyS1@9600"]);
 }
 
 #[test]
-fn what_a_person_names_is_tried_in_that_order_and_nothing_else() {
+fn ports_named_by_the_user_are_tried_in_that_order_and_no_others() {
     let search = Search {
         named: ["serial:/dev/ttyS0", "tcp:localhost:5555"]
             .map(|address| address.parse().expect("it is an address"))
@@ -158,7 +158,7 @@ fn what_a_person_names_is_tried_in_that_order_and_nothing_else() {
 }
 
 #[test]
-fn other_speeds_come_when_told_and_after_all_ports_at_the_usual_one() {
+fn other_baud_rates_are_tried_on_request_after_all_ports_at_the_usual_one() {
     let search = Search {
         other_bauds: vec![256_000, 9600],
         ..Search::default()

@@ -59,7 +59,7 @@ impl fmt::Display for During {
 pub(crate) struct Cables {
     /// What the job did.
     pub during: During,
-    /// So often the cable was pulled.
+    /// The number of times the cable was pulled.
     pub pulls: usize,
     /// The job was paused afterwards, with the reason.
     pub paused: usize,
@@ -154,7 +154,7 @@ fn come_to(during: During, scene: &mut Scene, job: u64, chance: &mut Chance) -> 
         During::Paused => 8_000,
         During::Resuming => 1_500,
     };
-    // A job that was over by then cannot be paused; the cable is pulled all the same.
+    // A job that was over by then cannot be paused; the cable is still pulled.
     let pausing = scene.it.ask(scene.anna, Request::PauseJob).is_ok();
     if pausing && matches!(during, During::Paused | During::Resuming) {
         scene.settle(job)?;

@@ -133,7 +133,7 @@ pub(crate) struct Carries {
     pub(crate) state: String,
 }
 
-/// So many cycles, of each thousand packets one damaged in each direction, and a kill every fifty cycles.
+/// Runs this many cycles, with one damaged packet in a thousand in each direction and a kill every fifty cycles.
 pub(crate) fn run(cycles: u64) -> Carries {
     let (mut it, anna) = station(Personality::Specification, &[ONE_PACKET_OF_A_THOUSAND], 11);
     let job = it

@@ -18,7 +18,7 @@ use super::spread::Spread;
 pub(crate) struct Clients {
     /// How it disappeared.
     pub how: &'static str,
-    /// So often.
+    /// The number of times.
     pub times: usize,
     /// From there to the first packet that stops the arm, in seconds.
     pub packet_s: Spread,

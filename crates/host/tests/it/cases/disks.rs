@@ -17,11 +17,11 @@ use super::spread::Spread;
 /// The outcome of jobs whose journal could not be written.
 #[derive(Debug, Default)]
 pub(crate) struct Disks {
-    /// So many jobs.
+    /// The number of jobs.
     pub jobs: usize,
     /// The job was paused for it, with the reason.
     pub paused: usize,
-    /// It needed the disk no more.
+    /// It no longer needed the disk.
     pub done: usize,
     /// Commands that the arm was never given.
     pub lost: usize,
@@ -74,7 +74,7 @@ fn one(figures: &mut Disks, personality: Personality, sort: Sort, seed: u64) -> 
     scene.check(&drawing)
 }
 
-/// Until the job works no more, and a bit: is it dark then?
+/// Runs until a little after the end of the job, and returns whether the laser is off.
 fn wait(figures: &mut Disks, scene: &mut Scene) {
     let latest = scene.it.now() + Duration::from_secs(60);
     let works = |station: &VirtualStation| {

@@ -14,13 +14,13 @@ use super::scene::{Scene, Wrong, each_seed};
 /// The outcome for the arm and other clients when one client sent too much.
 #[derive(Debug, Default)]
 pub(crate) struct Floods {
-    /// The sender and what it sent.
+    /// The sender and its packets.
     pub who: &'static str,
-    /// So many times.
+    /// The number of times.
     pub times: usize,
     /// Requests or packets in all.
     pub sent: usize,
-    /// So many packets went on to the arm meanwhile.
+    /// The number of packets passed on to the arm meanwhile.
     pub passed_on: usize,
     /// Packets that the arm lost or refused for want of room.
     pub overrun: usize,

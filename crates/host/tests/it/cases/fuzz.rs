@@ -1,4 +1,4 @@
-//! Anything that anybody may ask or send, at any times and with any faults, from client to twin.
+//! Random requests and packets at random times and with random faults, from client to twin.
 
 mod asking;
 mod judge;
@@ -26,7 +26,7 @@ pub(crate) struct Fuzz {
     pub cases: u64,
     /// Requests and packets in all.
     pub requests: u64,
-    /// So many of them were taken.
+    /// The number of accepted ones.
     pub taken: u64,
     /// Packets that reached the line.
     pub packets: usize,

@@ -15,7 +15,7 @@ use super::spread::Spread;
 /// The outcome of jobs whose station was killed.
 #[derive(Debug, Default)]
 pub(crate) struct Kills {
-    /// So often the station was killed.
+    /// The number of times the station was killed.
     pub times: usize,
     /// While a job had the arm.
     pub at_work: usize,

@@ -13,7 +13,7 @@ use super::scene::{Scene, Wrong, each_seed};
 pub(crate) struct Lines {
     /// The fault of the line.
     pub fault: &'static str,
-    /// So many drawings were started.
+    /// The number of started drawings.
     pub drawings: usize,
     /// Done, and right on the paper.
     pub done: usize,

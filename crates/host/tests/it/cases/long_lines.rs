@@ -19,13 +19,13 @@ use super::watchdogs::{Fate, left_alone};
 /// What ends the line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LineEnd {
-    /// Somebody stops the arm.
+    /// A person stops the arm.
     Stopped,
-    /// Somebody pauses the job.
+    /// A person pauses the job.
     Paused,
     /// The station is killed, and its watchdog is there.
     Killed,
-    /// The station stands still, and its watchdog is there.
+    /// The station is frozen, and its watchdog runs.
     Frozen,
 }
 

@@ -24,7 +24,7 @@ pub(crate) struct Scene {
     /// The person.
     pub anna: ClientId,
     personality: Personality,
-    /// Packets that were on the wire before what is looked at.
+    /// Packets that were on the wire before the examined part.
     since: usize,
 }
 
@@ -158,7 +158,7 @@ impl Scene {
         )))
     }
 
-    /// Goes on with a job until it is over, however often that takes.
+    /// Resumes a job until it is over, as often as necessary.
     pub(crate) fn finish(&mut self, job: u64) -> Result<(), Wrong> {
         for _ in 0..8 {
             match self.settle(job)? {
@@ -185,7 +185,7 @@ impl Scene {
         if same == wanted.len() && same == given.len() {
             return GivenCounts::default();
         }
-        // Behind the first difference it does not matter any more which it was.
+        // After the first difference the others do not matter.
         GivenCounts {
             lost: wanted
                 .len()

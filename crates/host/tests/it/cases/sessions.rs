@@ -1,4 +1,4 @@
-//! Random sessions: whatever the arm does, several things go wrong one after the other.
+//! Random sessions: several faults, one after another, during any activity of the arm.
 
 use std::fmt;
 use std::time::Duration;
@@ -19,9 +19,9 @@ use super::watchdogs::told;
 /// An incident.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Incident {
-    /// Somebody who may only watch stops the arm: here, or all arms of the fleet.
+    /// A watcher stops the arm: here, or all arms of the fleet.
     Stop,
-    /// The station stands still for a while.
+    /// The station is frozen for a while.
     Freeze,
     /// The station is killed; its watchdog speaks for it, and the station is started again.
     Kill,
@@ -56,7 +56,7 @@ impl fmt::Display for Incident {
 /// The outcome for the arms.
 #[derive(Debug, Default)]
 pub(crate) struct Sessions {
-    /// So many sessions.
+    /// The number of sessions.
     pub times: usize,
     /// The number of incidents.
     pub incidents: usize,
@@ -108,7 +108,7 @@ struct Begun {
     wanted: NewJob,
     /// The number of machine samples before it.
     samples: usize,
-    /// The pen was on the paper: what it draws on its way to the start does not belong to the job.
+    /// The pen was on the paper: a line drawn on the way to the start does not belong to the job.
     began_down: bool,
 }
 
@@ -137,7 +137,7 @@ fn begin(scene: &mut Scene, motion: u64, chance: &mut Chance) -> Result<Option<B
     }
 }
 
-/// A program may not begin with a straight line to where the arm stands; a person writes another mode then.
+/// A program may not begin with a straight line to the place of the arm; a person writes another mode then.
 fn begin_elsewhere(it: &VirtualStation, wanted: &mut NewJob) {
     let here = it.supervisor().state().arm.map(|arm| arm.status);
     if let (Some(Command::MoveTo(first)), Some(here)) = (wanted.commands.first_mut(), here)
@@ -162,7 +162,7 @@ fn befall(
 ) -> Result<(), Wrong> {
     match incident {
         Incident::Stop => stop(scene, true),
-        // Nobody lets go of a button while its station stands still for longer: that is its watchdog's part.
+        // No button is released while its station is frozen for longer: that is the watchdog's task.
         Incident::Freeze if motion == JOG => {
             scene.it.stall(chance.time(Duration::from_millis(250)));
             Ok(())
@@ -288,7 +288,7 @@ fn recover(
     }
     let anna = scene.anna;
     if begun.is_none() {
-        // Whoever held a button lets go of it.
+        // Every held button is released.
         scene.it.ask(anna, Request::TakeLease)?;
         scene.it.ask(anna, Request::Release)?;
     }

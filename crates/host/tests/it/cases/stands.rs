@@ -1,4 +1,4 @@
-//! How long the laser burns in one place, whatever the sender.
+//! How long the laser burns in one place, for each sender.
 
 use std::fmt;
 use std::time::Duration;
@@ -44,7 +44,7 @@ pub(crate) struct Stands {
     pub sender: Sender,
     /// The fault of the link.
     pub link: &'static str,
-    /// So many programs, each with up to 25 commands.
+    /// The number of programs, each with up to 25 commands.
     pub programs: usize,
     /// The longest time that it burned in one place in each of them, in seconds.
     pub stood_s: Spread,
@@ -114,7 +114,7 @@ fn one(figures: &mut Stands, personality: Personality, seed: u64) -> Result<(), 
     Ok(())
 }
 
-/// Vectors that burn and others, with or without time between them; what is refused is refused.
+/// Vectors that burn and others, with or without time between them; refusals are ignored.
 fn program(scene: &mut Scene, chance: &mut Chance, sender: Sender) -> Result<(), Wrong> {
     let program = scene.it.client("an old program");
     if sender == Sender::Packets {

@@ -1,4 +1,4 @@
-//! Stops at random moments of whatever the arm does.
+//! Stops at random moments of any activity of the arm.
 
 use std::fmt;
 use std::time::Duration;
@@ -58,7 +58,7 @@ impl fmt::Display for StoppedMotion {
 pub(crate) struct Stops {
     /// The motion.
     pub doing: StoppedMotion,
-    /// So often it was stopped.
+    /// The number of stops.
     pub times: usize,
     /// At rest later than was promised.
     pub late: usize,

@@ -1,4 +1,4 @@
-//! The station is gone or stands still, and its watchdog speaks for it.
+//! The station is killed or frozen, and its watchdog acts for it.
 
 use std::fmt;
 use std::time::Duration;
@@ -21,7 +21,7 @@ use super::spread::Spread;
 pub(crate) enum Fate {
     /// Killed.
     Killed,
-    /// It stands still.
+    /// It is frozen.
     Frozen,
     /// The thread that has the arm panicked.
     Panicked,
@@ -52,7 +52,7 @@ pub(crate) struct Guarded {
     pub went_deg: Spread,
     /// From the station's end to the end of the light, in seconds.
     pub lit_s: Spread,
-    /// How long the laser was on while the arm stood still, in seconds.
+    /// How long the laser was on while the arm was at rest, in seconds.
     pub stood_s: Spread,
     /// Motion that no button asked for.
     pub unasked: usize,
@@ -281,7 +281,7 @@ pub(super) struct After {
     first: Option<Duration>,
     /// When the laser was last seen on.
     pub lit: Duration,
-    /// How long it was on while the arm stood still.
+    /// How long it was on while the arm was at rest.
     stood: Duration,
     /// When the arm was last seen moving.
     pub rests: Duration,

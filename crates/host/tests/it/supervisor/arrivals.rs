@@ -46,33 +46,33 @@ fn sent(it: &mut VirtualStation, target: MoveTo) -> u64 {
 }
 
 #[test]
-fn a_default_pause_of_100_s_is_told_when_it_begins_and_the_command_is_done_when_it_is_over() {
+fn a_default_pause_of_100_s_is_reported_at_its_start_and_the_command_is_done_at_its_end() {
     let mut it = virtual_station(Personality::Specification);
     let number = sent(&mut it, target([220.0, 40.0, 20.0]));
     let pauses = |news: &News| matches!(news, News::Pausing { lasts_s: 100.0, .. });
-    let (began_s, text) = told(&it, pauses).expect("it is told");
+    let (began_s, text) = told(&it, pauses).expect("it is reported");
     assert_eq!(
         text,
         "the arm waits 100 s here: its default pause (state 9, mode 1)"
     );
     let done = |news: &News| *news == News::CommandDone { command: number };
-    let (done_s, _) = told(&it, done).expect("it is told");
+    let (done_s, _) = told(&it, done).expect("it is reported");
     assert!(began_s < 7.0, "{began_s}");
     assert!((99.0..101.0).contains(&(done_s - began_s)), "{done_s}");
 }
 
 #[test]
-fn an_arm_that_ignores_the_default_pause_is_not_said_to_pause() {
+fn no_pause_is_reported_for_an_arm_that_ignores_the_default_pause() {
     let mut it = virtual_station(Personality::Firmware11);
     let number = sent(&mut it, target([220.0, 40.0, 20.0]));
     assert_eq!(told(&it, |news| matches!(news, News::Pausing { .. })), None);
     let done = |news: &News| *news == News::CommandDone { command: number };
-    let (done_s, _) = told(&it, done).expect("it is told");
+    let (done_s, _) = told(&it, done).expect("it is reported");
     assert!(done_s < 6.0, "{done_s}");
 }
 
 #[test]
-fn a_pause_of_its_own_is_told_as_the_commands() {
+fn an_explicit_pause_is_reported_as_that_of_the_command() {
     for personality in [Personality::Specification, Personality::Firmware11] {
         let mut it = virtual_station(personality);
         let pausing = MoveTo {
@@ -80,7 +80,8 @@ fn a_pause_of_its_own_is_told_as_the_commands() {
             ..target([220.0, 40.0, 20.0])
         };
         let number = sent(&mut it, pausing);
-        let (_, text) = told(&it, |news| matches!(news, News::Pausing { .. })).expect("it is told");
+        let (_, text) =
+            told(&it, |news| matches!(news, News::Pausing { .. })).expect("it is reported");
         let expected = format!("the arm waits 7.5 s here: the pause of command {number}");
         assert_eq!(text, expected, "{personality}");
     }

@@ -12,7 +12,7 @@ use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, VOICE_HEADER, Voice};
 use super::releases::{buttons, check_moved, frame, hold, joint, places, released};
 use crate::cases::commands::{target, vector};
 
-/// A station with a stock arm whose Bluetooth port is served, heard from its first status on.
+/// A station with a stock arm whose Bluetooth port is served, received from its first status on.
 fn virtual_station() -> (VirtualStation, ClientId) {
     let power_up = PowerUp {
         port: Port::Bluetooth,
@@ -139,7 +139,7 @@ fn the_policy_sees_the_joint_that_moves() {
 }
 
 #[test]
-fn a_packet_of_a_raw_program_does_what_it_does_on_that_port() {
+fn a_packet_of_a_raw_client_has_its_usual_effect_on_that_port() {
     let (mut it, _) = virtual_station();
     it.run_for(Duration::from_secs(1));
     let raw = it.client("an old program");
@@ -167,7 +167,7 @@ fn a_packet_of_a_raw_program_does_what_it_does_on_that_port() {
 }
 
 #[test]
-fn one_command_leaves_for_each_permit_and_none_for_a_message() {
+fn one_command_is_sent_for_each_permit_and_none_for_a_message() {
     let (mut it, anna) = virtual_station();
     let from = it.packets().len();
     for n in 0..8_u8 {
@@ -193,7 +193,7 @@ fn one_command_leaves_for_each_permit_and_none_for_a_message() {
 }
 
 #[test]
-fn what_is_said_becomes_the_motion_that_the_words_mean() {
+fn a_voice_command_becomes_the_motion_that_its_words_mean() {
     let (mut it, anna) = virtual_station();
     let aside = target([220.0, 40.0, 0.0]);
     it.ask(
@@ -232,7 +232,7 @@ fn what_is_said_becomes_the_motion_that_the_words_mean() {
 }
 
 #[test]
-fn a_joint_jog_says_which_joint_and_not_which_axis() {
+fn a_joint_jog_reports_its_joint_and_not_its_axis() {
     let (mut it, anna) = virtual_station();
     let from = it.packets().len();
     hold(&mut it, anna, joint(JointJogAxis::ForePlus), 300);

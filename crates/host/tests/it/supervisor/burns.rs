@@ -1,4 +1,4 @@
-//! Laser drawings: what is burned, and what is not while a job rests.
+//! Laser drawings: the burned lines, and nothing burned while a job is paused.
 
 use std::time::Duration;
 
@@ -117,7 +117,7 @@ fn a_laser_drawing_that_is_paused_in_its_lines_burns_no_hole_and_nothing_twice()
 }
 
 #[test]
-fn a_laser_drawing_takes_another_speed_and_keeps_its_height_where_it_burns() {
+fn a_laser_drawing_accepts_a_new_speed_and_keeps_its_height_while_burning() {
     for personality in Personality::ALL {
         let (mut it, anna, job) = armed(personality);
         run_to(&mut it, 10);

@@ -28,7 +28,7 @@ fn run_until_rest(it: &mut VirtualStation, job: u64, hours: u64) {
 }
 
 #[test]
-fn a_cycle_is_done_as_often_as_it_was_told() {
+fn a_cycle_is_repeated_as_often_as_requested() {
     for personality in BOTH {
         let (mut it, anna) = station(personality, &[], 0);
         let job = it.submit(&shuttle(Some(7))).unwrap();
@@ -85,7 +85,7 @@ fn cycles_are_counted_and_timed_while_they_run() {
 }
 
 #[test]
-fn a_program_goes_on_step_by_step_where_that_is_asked_for() {
+fn a_program_advances_step_by_step_on_request() {
     let (mut it, anna) = station(Personality::Firmware11, &[], 0);
     let job = it.submit(&shuttle(Some(2))).unwrap();
     let mut seen = Vec::new();
@@ -102,7 +102,7 @@ fn a_program_goes_on_step_by_step_where_that_is_asked_for() {
 }
 
 #[test]
-fn a_person_is_waited_for_in_every_cycle() {
+fn a_program_waits_for_the_person_in_every_cycle() {
     let (mut it, anna) = station(Personality::Specification, &[], 0);
     let pauses = vec![JobPause {
         before: 5,
@@ -174,7 +174,7 @@ fn no_carry_is_lost_or_done_twice_whenever_the_station_is_killed() {
 }
 
 #[test]
-fn a_program_is_done_faster_and_slower_while_it_runs() {
+fn a_program_runs_faster_and_slower_while_it_is_running() {
     for personality in BOTH {
         let (mut it, anna) = station(personality, &[], 0);
         let job = it.submit(&shuttle(None)).unwrap();

@@ -1,4 +1,4 @@
-//! Dry runs: what they say of a program, and what the arm then does.
+//! Dry runs: their predictions for a program, and the motion of the arm.
 
 use std::time::Duration;
 
@@ -130,7 +130,7 @@ proptest! {
 }
 
 #[test]
-fn a_dry_run_starts_where_the_arm_stands() {
+fn a_dry_run_starts_at_the_current_place_of_the_arm() {
     for personality in [Personality::Specification, Personality::Firmware11] {
         let there = compiled("[[steps]]\ngo = { x = 220, y = 60, z = 30 }\npath = \"movj\"");
         let mut arm = UsedArm::new(personality, Policy::default());

@@ -51,7 +51,7 @@ fn y_mm(it: &VirtualStation) -> f32 {
     it.supervisor()
         .state()
         .arm
-        .expect("the arm tells")
+        .expect("the arm reports its state")
         .status
         .y_mm
 }
@@ -65,7 +65,7 @@ fn refusals(it: &VirtualStation) -> usize {
 }
 
 #[test]
-fn a_press_while_the_arm_runs_down_acts_when_it_rests_if_it_is_still_held() {
+fn a_press_while_the_arm_coasts_takes_effect_at_rest_if_it_is_still_held() {
     for personality in Personality::ALL {
         let (mut it, anna) = at_hand(personality);
         hold(&mut it, anna, linear(PLUS), Duration::from_secs(1));
@@ -78,7 +78,7 @@ fn a_press_while_the_arm_runs_down_acts_when_it_rests_if_it_is_still_held() {
         let acts = acts.unwrap_or_else(|| panic!("{personality}: {told:?}"));
         assert!(
             told[acts..].iter().all(|(_, button)| button.is_some()),
-            "{personality}: nothing lets go of it: {told:?}"
+            "{personality}: it is not released: {told:?}"
         );
         assert_eq!(refusals(&it), 0, "{personality}");
     }
@@ -94,7 +94,7 @@ fn lost_presses(it: &VirtualStation) -> usize {
 }
 
 #[test]
-fn a_tap_is_sent_or_reported_whenever_it_comes() {
+fn a_tap_is_sent_or_reported_at_any_time() {
     for personality in Personality::ALL {
         for (after_ms, tap_ms) in (0..1200)
             .step_by(37)
@@ -123,7 +123,7 @@ fn a_tap_is_sent_or_reported_whenever_it_comes() {
 }
 
 #[test]
-fn a_press_whose_client_falls_silent_before_the_arm_rests_is_reported() {
+fn a_press_whose_client_goes_silent_before_the_arm_is_at_rest_is_reported() {
     for personality in Personality::ALL {
         let (mut it, anna) = at_hand(personality);
         hold(&mut it, anna, linear(PLUS), Duration::from_secs(1));
@@ -137,7 +137,7 @@ fn a_press_whose_client_falls_silent_before_the_arm_rests_is_reported() {
 }
 
 #[test]
-fn a_press_that_is_over_before_the_arm_rests_moves_nothing_and_is_reported() {
+fn a_press_released_before_the_arm_is_at_rest_moves_nothing_and_is_reported() {
     for personality in Personality::ALL {
         let (mut it, anna) = at_hand(personality);
         hold(&mut it, anna, linear(PLUS), Duration::from_secs(1));
@@ -156,7 +156,7 @@ fn a_press_that_is_over_before_the_arm_rests_moves_nothing_and_is_reported() {
 }
 
 #[test]
-fn a_reversal_is_no_error_with_a_release_between_and_without() {
+fn a_reversal_is_accepted_with_and_without_a_release_in_between() {
     for personality in Personality::ALL {
         for lets_go in [true, false] {
             let (mut it, anna) = at_hand(personality);
@@ -184,7 +184,7 @@ fn a_reversal_is_no_error_with_a_release_between_and_without() {
 }
 
 #[test]
-fn behind_a_dead_man_release_a_new_press_is_needed() {
+fn after_a_dead_man_timeout_a_new_press_is_needed() {
     for personality in Personality::ALL {
         let (mut it, anna) = at_hand(personality);
         hold(&mut it, anna, linear(PLUS), Duration::from_millis(500));
@@ -201,7 +201,7 @@ fn behind_a_dead_man_release_a_new_press_is_needed() {
             told.iter().all(|(_, it)| it.is_none()),
             "{personality}: {told:?}"
         );
-        assert_eq!(refusals(&it), 1, "{personality}: it is told once");
+        assert_eq!(refusals(&it), 1, "{personality}: it is reported once");
         it.ask(anna, Request::Release).unwrap();
         hold(&mut it, anna, jog, Duration::from_millis(500));
         assert!(pressed(&it, before).iter().any(|(_, it)| it.is_some()));
@@ -209,7 +209,7 @@ fn behind_a_dead_man_release_a_new_press_is_needed() {
 }
 
 #[test]
-fn at_a_limit_the_button_is_let_go_once_and_the_reason_stays_the_limit() {
+fn at_a_limit_the_button_is_released_once_and_the_limit_stays_the_reason() {
     for personality in Personality::ALL {
         let (mut it, anna) = at_hand(personality);
         let jog = linear(LinearJogAxis::ZMinus);
@@ -225,7 +225,7 @@ fn at_a_limit_the_button_is_let_go_once_and_the_reason_stays_the_limit() {
                 "{personality}: {reason}"
             );
         }
-        assert_eq!(refusals(&it), 1, "{personality}: it is told once");
+        assert_eq!(refusals(&it), 1, "{personality}: it is reported once");
         let told = pressed(&it, 0);
         let released = told.iter().position(|(_, it)| it.is_none()).unwrap();
         assert!(
@@ -236,7 +236,7 @@ fn at_a_limit_the_button_is_let_go_once_and_the_reason_stays_the_limit() {
 }
 
 #[test]
-fn a_button_that_is_held_through_a_stop_does_not_move_the_arm_when_the_stop_is_reset() {
+fn a_button_held_through_a_stop_does_not_move_the_arm_after_the_reset() {
     for personality in Personality::ALL {
         let (mut it, anna) = at_hand(personality);
         let ben = it.client("Ben");
@@ -260,7 +260,7 @@ fn a_button_that_is_held_through_a_stop_does_not_move_the_arm_when_the_stop_is_r
 }
 
 #[test]
-fn a_press_while_the_arm_is_at_a_long_move_is_refused_and_does_not_act_behind_it() {
+fn a_press_during_a_long_move_is_refused_and_has_no_effect_after_it() {
     let (mut it, anna) = at_hand(Personality::Firmware11);
     let command = crate::cases::commands::target([230.0, 100.0, 20.0]).into();
     it.ask(anna, Request::Command { command }).unwrap();
@@ -278,7 +278,7 @@ fn a_press_while_the_arm_is_at_a_long_move_is_refused_and_does_not_act_behind_it
 }
 
 #[test]
-fn a_raw_programs_press_while_the_arm_runs_down_acts_too() {
+fn a_press_by_a_raw_client_while_the_arm_coasts_takes_effect() {
     for personality in Personality::ALL {
         let (mut it, anna) = at_hand(personality);
         it.leave(anna);
@@ -317,7 +317,7 @@ enum Hand {
 }
 
 #[test]
-fn whatever_hands_do_nothing_moves_unasked_nothing_goes_on_and_no_long_press_is_lost() {
+fn random_presses_never_cause_unrequested_motion_and_no_long_press_is_lost() {
     let all = buttons();
     let mut acted = 0;
     for seed in 0..200 {
@@ -400,7 +400,7 @@ fn whatever_hands_do_nothing_moves_unasked_nothing_goes_on_and_no_long_press_is_
             it.arm().mechanics().joints_at(it.now()),
             "seed {seed}: it rests"
         );
-        // Behind all that a press that lasts acts.
+        // After all that a long press takes effect.
         let from = it.packets().len();
         let jog = joint(JointJogAxis::BasePlus);
         let back = joint(JointJogAxis::BaseMinus);

@@ -31,7 +31,7 @@ fn set(it: &mut VirtualStation, anna: ClientId, offset_mm: f64) {
 }
 
 #[test]
-fn another_height_comes_gently_and_stays() {
+fn a_new_height_is_reached_smoothly_and_stays() {
     for personality in PERSONALITIES {
         let planned = pen_job(personality, &[(spiral(), None)]);
         let (mut it, anna, job) = started(personality, &planned);
@@ -62,7 +62,7 @@ fn another_height_comes_gently_and_stays() {
 }
 
 #[test]
-fn another_height_in_a_pause_holds_from_there_on() {
+fn a_new_height_set_during_a_pause_applies_from_there_on() {
     for personality in PERSONALITIES {
         for offset_mm in [0.2, -0.3, 1.5] {
             let planned = pen_job(personality, &[(spiral(), None)]);
@@ -87,7 +87,7 @@ fn another_height_in_a_pause_holds_from_there_on() {
 }
 
 #[test]
-fn what_is_out_of_range_is_refused_with_what_is_allowed() {
+fn a_value_out_of_range_is_refused_with_the_allowed_range() {
     let personality = Personality::Firmware11;
     let (mut it, anna, _) = started(personality, &pen_job(personality, &[(spiral(), None)]));
     run_to(&mut it, 20);
@@ -131,7 +131,7 @@ fn a_job_of_targets_keeps_its_speed_and_height() {
 }
 
 #[test]
-fn a_height_below_the_table_is_refused_when_it_is_asked_for_and_the_job_goes_on() {
+fn a_height_below_the_table_is_refused_at_once_and_the_job_continues() {
     let personality = Personality::Firmware11;
     let mut planned = pen_job(personality, &[(spiral(), None)]);
     for command in &mut planned.commands {
@@ -166,7 +166,7 @@ fn a_height_below_the_table_is_refused_when_it_is_asked_for_and_the_job_goes_on(
     );
 }
 
-/// Draws with whatever a person does, and is killed in between.
+/// Draws during any actions of a person, and is killed in between.
 fn draw_and_kill(personality: Personality, steps: &[(u64, f64, f64, bool)]) {
     let planned = pen_job(personality, &[(spiral(), None)]);
     let (mut it, mut anna, job) = started(personality, &planned);
@@ -198,8 +198,8 @@ fn draw_and_kill(personality: Personality, steps: &[(u64, f64, f64, bool)]) {
 }
 
 #[test]
-fn a_height_counts_until_the_journal_is_past_it() {
-    // The second crash comes before the journal has heard how far the job got after the first: the
+fn a_height_applies_until_the_journal_is_past_it() {
+    // The second crash comes before the journal has recorded how far the job got after the first: the
     // place is looked for from before the first change of height, and the arm rests below the plan.
     draw_and_kill(
         Personality::Firmware11,
@@ -212,7 +212,7 @@ fn a_height_counts_until_the_journal_is_past_it() {
 }
 
 #[test]
-fn the_slowest_drawing_is_gone_on_with_after_a_crash() {
+fn the_slowest_drawing_is_resumed_after_a_crash() {
     // 6 mm/s at 10 %: less than a stock arm gains in a tick.
     for personality in PERSONALITIES {
         let stroke = Stroke::open(spiral().points[..24].to_vec());
@@ -235,7 +235,7 @@ fn the_slowest_drawing_is_gone_on_with_after_a_crash() {
     }
 }
 
-/// Whatever the height, each vector that draws was sent once, in its turn.
+/// At any height, each drawing vector was sent once, in order.
 fn assert_sent_once(it: &VirtualStation, personality: Personality, planned: &NewJob) {
     let drawing = |command: Command| match command {
         // The rounding error of a lift draws nothing.
@@ -275,7 +275,7 @@ proptest! {
 }
 
 #[test]
-fn a_drawing_that_is_slowed_down_and_paused_while_it_does_that_comes_to_rest_soon() {
+fn a_drawing_paused_while_it_slows_down_comes_to_rest_soon() {
     // The last vector before the rest would have begun at 0.004 mm/s, and continued like that for
     // 400 s.
     let slower = (2486, 15.419_662_467_478_036, 0.0, true);

@@ -45,7 +45,7 @@ fn a_job_is_drawn_once_and_done() {
 }
 
 #[test]
-fn a_paused_job_lifts_its_pen_and_goes_on_where_it_was() {
+fn a_paused_job_lifts_its_pen_and_resumes_where_it_was() {
     for personality in PERSONALITIES {
         let mut it = virtual_station(personality);
         let anna = it.client("Anna");
@@ -91,7 +91,7 @@ fn a_job_that_leaves_the_policy_is_refused_with_the_command_that_does() {
 }
 
 #[test]
-fn a_job_that_does_not_say_where_it_begins_is_refused() {
+fn a_job_without_a_start_place_is_refused() {
     let mut it = virtual_station(Personality::Firmware11);
     let mut drawing = spiral(4);
     drawing.commands.remove(2);
@@ -103,7 +103,7 @@ fn a_job_that_does_not_say_where_it_begins_is_refused() {
 }
 
 #[test]
-fn nobody_else_moves_the_arm_while_a_job_runs() {
+fn no_other_client_moves_the_arm_while_a_job_runs() {
     let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
@@ -129,7 +129,7 @@ fn listed(it: &mut VirtualStation) -> Vec<(u64, JobPhase)> {
 }
 
 #[test]
-fn what_a_job_did_is_queued_and_drawn_again() {
+fn a_finished_job_is_queued_and_drawn_again() {
     let mut it = virtual_station(Personality::Specification);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
@@ -155,7 +155,7 @@ fn what_a_job_did_is_queued_and_drawn_again() {
 }
 
 #[test]
-fn queued_jobs_are_moved_and_others_are_not() {
+fn queued_jobs_can_be_moved_and_other_jobs_cannot() {
     let mut it = virtual_station(Personality::Specification);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
@@ -188,7 +188,7 @@ fn queued_jobs_are_moved_and_others_are_not() {
 }
 
 #[test]
-fn a_job_that_is_over_or_has_not_begun_is_forgotten_and_one_under_way_is_not() {
+fn a_job_is_deleted_when_over_or_not_started_but_not_while_running() {
     let mut it = virtual_station(Personality::Specification);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();

@@ -36,12 +36,12 @@ fn y_mm(it: &VirtualStation) -> f32 {
     it.supervisor()
         .state()
         .arm
-        .expect("the arm tells")
+        .expect("the arm reports its state")
         .status
         .y_mm
 }
 
-/// Whether the arm stands where it stood a while before.
+/// Whether the arm is where it was a while ago.
 fn rests(it: &mut VirtualStation) -> bool {
     it.run_for(Duration::from_secs(3));
     let before = y_mm(it);
@@ -50,7 +50,7 @@ fn rests(it: &mut VirtualStation) -> bool {
 }
 
 #[test]
-fn a_button_that_is_held_moves_the_arm_for_as_long_as_it_is_held() {
+fn a_button_moves_the_arm_for_as_long_as_it_is_held() {
     for personality in PERSONALITIES {
         let (mut it, anna) = jogging(personality, LinearJogAxis::YPlus);
         hold(&mut it, anna, LinearJogAxis::YPlus, 40);
@@ -63,7 +63,7 @@ fn a_button_that_is_held_moves_the_arm_for_as_long_as_it_is_held() {
 }
 
 #[test]
-fn a_client_that_falls_silent_lets_go_of_its_button_after_150_ms() {
+fn the_button_of_a_silent_client_is_released_after_150_ms() {
     for personality in PERSONALITIES {
         let (mut it, anna) = jogging(personality, LinearJogAxis::YPlus);
         hold(&mut it, anna, LinearJogAxis::YPlus, 20);
@@ -97,7 +97,7 @@ fn a_client_that_vanishes_while_jogging_stops_the_arm_at_once() {
 }
 
 #[test]
-fn a_jog_ends_before_the_policy_ends_and_says_which_rule_it_was() {
+fn a_jog_stops_before_a_limit_of_the_policy_and_names_the_rule() {
     for personality in PERSONALITIES {
         let (mut it, anna) = jogging(personality, LinearJogAxis::ZMinus);
         let table = -103.0 + 40.0;

@@ -60,7 +60,7 @@ fn the_laser_is_off_soon_after_a_stop() {
 }
 
 #[test]
-fn the_laser_is_off_soon_after_the_one_who_armed_it_is_gone() {
+fn the_laser_is_off_soon_after_the_client_that_armed_it_leaves() {
     for personality in PERSONALITIES {
         let (mut it, anna, job) = burning(personality);
         it.leave(anna);
@@ -80,7 +80,7 @@ fn the_laser_is_off_soon_after_the_one_who_armed_it_is_gone() {
 }
 
 #[test]
-fn the_laser_is_off_soon_after_its_time_is_over() {
+fn the_laser_is_off_soon_after_its_arming_time_is_over() {
     for personality in PERSONALITIES {
         let (mut it, anna, _) = burning(personality);
         it.ask(anna, Request::ArmLaser { for_s: 1.0 }).unwrap();
@@ -100,7 +100,7 @@ fn the_laser_is_off_soon_after_a_pause() {
 }
 
 #[test]
-fn the_laser_is_off_soon_after_the_station_was_killed_and_started_again() {
+fn the_laser_is_off_soon_after_a_killed_station_is_restarted() {
     for personality in PERSONALITIES {
         let (mut it, _, _) = burning(personality);
         it.crash(Duration::from_millis(700)).unwrap();
@@ -189,7 +189,7 @@ fn a_stop_keeps_its_time_in_a_motion_of_a_detection_that_ended() {
             assert_eq!(
                 it.arm().controller().steps(),
                 place,
-                "{personality}: it rests, {after:?} behind"
+                "{personality}: it is at rest {after:?} after it"
             );
         }
     }

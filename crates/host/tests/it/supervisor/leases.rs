@@ -25,7 +25,7 @@ fn holder(virtual_station: &VirtualStation) -> Option<String> {
 }
 
 #[test]
-fn nobody_moves_the_arm_who_has_not_taken_control() {
+fn a_client_without_control_cannot_move_the_arm() {
     let mut it = virtual_station(Personality::Specification);
     let anna = it.client("Anna");
     let before = it.packets().len();
@@ -37,7 +37,7 @@ fn nobody_moves_the_arm_who_has_not_taken_control() {
 }
 
 #[test]
-fn a_second_client_is_told_who_has_control() {
+fn a_second_client_learns_who_has_control() {
     let mut it = virtual_station(Personality::Specification);
     let (anna, ben) = (it.client("Anna"), it.client("Ben"));
     it.ask(anna, Request::TakeLease).unwrap();
@@ -49,7 +49,7 @@ fn a_second_client_is_told_who_has_control() {
 }
 
 #[test]
-fn control_goes_over_to_the_one_who_asks_when_the_holder_grants_it() {
+fn control_passes_to_the_requester_when_the_holder_grants_it() {
     let mut it = virtual_station(Personality::Specification);
     let (anna, ben) = (it.client("Anna"), it.client("Ben"));
     it.ask(anna, Request::TakeLease).unwrap();
@@ -62,7 +62,7 @@ fn control_goes_over_to_the_one_who_asks_when_the_holder_grants_it() {
 }
 
 #[test]
-fn control_is_free_when_its_holder_is_gone() {
+fn control_is_free_after_its_holder_leaves() {
     let mut it = virtual_station(Personality::Specification);
     let (anna, ben) = (it.client("Anna"), it.client("Ben"));
     it.ask(anna, Request::TakeLease).unwrap();
@@ -72,7 +72,7 @@ fn control_is_free_when_its_holder_is_gone() {
 }
 
 #[test]
-fn an_administrator_may_take_control_from_somebody() {
+fn an_administrator_may_take_control_from_another_client() {
     let mut it = virtual_station(Personality::Specification);
     let (anna, ben) = (it.client("Anna"), it.client("Ben"));
     it.ask(anna, Request::TakeLease).unwrap();
@@ -94,7 +94,7 @@ fn a_watcher_may_stop_and_nothing_else() {
 }
 
 #[test]
-fn a_locked_arm_is_the_administrators_and_says_so_to_everyone_else() {
+fn a_locked_arm_belongs_to_the_administrators_and_all_others_learn_that() {
     let mut it = virtual_station(Personality::Specification);
     let teacher = it.client("Ms Weber");
     let anna = it.client_as("Anna", Role::Control);
@@ -137,7 +137,7 @@ fn a_locked_arm_is_the_administrators_and_says_so_to_everyone_else() {
 }
 
 #[test]
-fn a_lock_lets_go_of_what_is_held_and_brings_a_drawing_to_rest() {
+fn a_lock_releases_held_buttons_and_brings_a_drawing_to_rest() {
     let mut it = virtual_station(Personality::Firmware11);
     let teacher = it.client("Ms Weber");
     let anna = it.client_as("Anna", Role::Control);
@@ -174,7 +174,7 @@ fn a_lock_lets_go_of_what_is_held_and_brings_a_drawing_to_rest() {
 }
 
 #[test]
-fn a_message_reaches_all_who_watch_and_takes_no_control() {
+fn a_message_reaches_all_watchers_and_takes_no_control() {
     let mut it = virtual_station(Personality::Specification);
     let teacher = it.client_as("Ms Weber", Role::Control);
     let text = "five more minutes\u{7}".to_owned();
@@ -187,7 +187,7 @@ fn a_message_reaches_all_who_watch_and_takes_no_control() {
 }
 
 #[test]
-fn a_drawing_with_a_pen_goes_on_when_the_one_who_started_it_leaves() {
+fn a_pen_drawing_continues_after_the_client_that_started_it_leaves() {
     let mut it = virtual_station(Personality::Specification);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
@@ -208,7 +208,7 @@ fn packet(y_mm: f32) -> Packet {
 }
 
 #[test]
-fn a_person_at_this_machine_takes_control_from_a_raw_program_which_cannot_be_asked() {
+fn a_person_at_this_machine_takes_control_from_a_raw_client_which_cannot_be_asked() {
     let mut it = virtual_station(Personality::Specification);
     let program = it.client("an old program");
     it.send_raw(program, &packet(40.0)).unwrap();
@@ -239,7 +239,7 @@ fn a_person_at_this_machine_takes_control_from_a_raw_program_which_cannot_be_ask
 }
 
 #[test]
-fn a_button_that_a_raw_program_holds_is_released_when_a_person_takes_control() {
+fn a_button_held_by_a_raw_client_is_released_when_a_person_takes_control() {
     for personality in Personality::ALL {
         let mut it = virtual_station(personality);
         let (program, anna) = (it.client("an old program"), it.client("Anna"));
@@ -265,7 +265,7 @@ fn a_button_that_a_raw_program_holds_is_released_when_a_person_takes_control() {
 }
 
 #[test]
-fn a_raw_program_does_not_take_control_from_a_person_nor_a_person_from_a_person() {
+fn neither_a_raw_client_nor_another_person_takes_control_from_a_person() {
     let mut it = virtual_station(Personality::Specification);
     let (program, anna, ben) = (
         it.client("an old program"),

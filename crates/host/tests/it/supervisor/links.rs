@@ -26,7 +26,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
     #[test]
-    fn a_cable_that_was_pulled_and_put_back_costs_no_vector(
+    fn a_cable_that_was_pulled_and_plugged_in_again_costs_no_vector(
         after_ms in 0_u64..25_000,
         away_ms in 1_u64..10_000,
         twin in any::<bool>(),
@@ -77,7 +77,7 @@ fn faulty(fault: &str) -> VirtualStation {
 }
 
 #[test]
-fn after_a_reset_nobody_moves_the_arm_until_its_pose_is_confirmed() {
+fn after_a_reset_the_arm_cannot_be_moved_until_its_pose_is_confirmed() {
     let mut it = faulty("reset@10s");
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
@@ -97,7 +97,7 @@ fn after_a_reset_nobody_moves_the_arm_until_its_pose_is_confirmed() {
 }
 
 #[test]
-fn an_arm_that_falls_silent_is_told_as_lost_and_found_again() {
+fn an_arm_that_goes_silent_is_reported_as_lost_and_then_as_found() {
     let mut it = faulty("withhold@5s..12s");
     it.run_for(Duration::from_secs(7));
     let link = it.supervisor().state().link;
@@ -189,11 +189,11 @@ fn status() -> [u8; 42] {
     let power_up = PowerUp::new(Personality::Firmware11);
     let mut controller = Controller::power_up(power_up);
     controller.handle_time(Duration::from_millis(100));
-    controller.poll_bytes().expect("it tells").bytes
+    controller.poll_bytes().expect("it reports its state").bytes
 }
 
 #[test]
-fn each_opening_of_a_real_port_costs_the_trust_and_that_of_a_virtual_arm_does_not() {
+fn each_opening_of_a_real_port_costs_the_trust_in_the_pose_and_that_of_a_virtual_arm_does_not() {
     for (address, trusted) in [
         ("serial:/dev/ttyUSB0@9600", false),
         ("tcp:192.168.1.7:5555", false),
@@ -242,7 +242,7 @@ fn link_notices(supervisor: &mut Supervisor) -> Vec<String> {
 }
 
 #[test]
-fn a_port_that_cannot_be_opened_is_reported_once_with_its_remedy_and_is_no_lost_link() {
+fn a_port_that_cannot_be_opened_is_reported_once_with_its_remedy_and_is_not_a_lost_link() {
     let mut supervisor = Supervisor::new(Policy::default(), None);
     for second in 0..20 {
         let now = Duration::from_secs(second);
@@ -284,7 +284,7 @@ fn each_new_cause_after_a_loss_is_reported_once() {
 }
 
 #[test]
-fn a_port_without_statuses_is_no_lost_link_and_what_it_sends_is_named() {
+fn a_port_without_statuses_is_not_a_lost_link_and_its_data_is_described() {
     let mut big_endian = status();
     big_endian[1..41].chunks_mut(4).for_each(<[u8]>::reverse);
     for (bytes, cause, text) in [
@@ -324,7 +324,7 @@ fn a_port_without_statuses_is_no_lost_link_and_what_it_sends_is_named() {
 }
 
 #[test]
-fn an_arm_that_is_not_found_again_is_told_with_why_it_was_lost() {
+fn an_arm_that_is_not_found_again_is_reported_with_the_cause_of_the_loss() {
     let now = Duration::from_secs(1);
     let mut supervisor = Supervisor::new(Policy::default(), None);
     let anna = supervisor.handle_client(now, "Anna", Role::Control, "Anna");
@@ -344,7 +344,7 @@ fn an_arm_that_is_not_found_again_is_told_with_why_it_was_lost() {
 }
 
 #[test]
-fn which_arm_a_port_is_taken_to_have_is_told() {
+fn the_assumed_arm_at_a_port_is_reported() {
     let mut supervisor = Supervisor::new(Policy::default(), None);
     let file = CalibrationFile {
         name: Some("desk 3".to_owned()),
@@ -361,7 +361,7 @@ fn which_arm_a_port_is_taken_to_have_is_told() {
 }
 
 #[test]
-fn a_program_that_sends_big_endian_floats_is_told_so() {
+fn big_endian_floats_of_a_client_are_reported() {
     let mut supervisor = Supervisor::new(Policy::default(), Some(Dialect::SPECIFICATION));
     let program = supervisor.handle_client(Duration::ZERO, "program", Role::Control, "program");
     let mut bytes = LASER_OFF.emit(&Dialect::SPECIFICATION).to_bytes();

@@ -76,7 +76,7 @@ fn a_job_that_is_paused_twice_is_lifted_once() {
 }
 
 #[test]
-fn a_job_that_goes_on_from_elsewhere_turns_the_tool_back_to_how_it_was() {
+fn a_job_resumed_from_another_place_turns_the_tool_back() {
     let rotation_deg = |moves_away: bool| {
         let (mut it, anna, job, drawing) = drawing();
         it.ask(anna, Request::PauseJob).unwrap();
@@ -98,7 +98,7 @@ fn a_job_that_goes_on_from_elsewhere_turns_the_tool_back_to_how_it_was() {
 }
 
 #[test]
-fn a_cable_that_is_out_while_a_paused_job_comes_to_rest_repeats_nothing() {
+fn a_cable_pulled_while_a_paused_job_comes_to_rest_repeats_nothing() {
     for pull_ms in [0, 60, 120, 180, 240, 300, 600] {
         let (mut it, anna, job, drawing) = drawing();
         it.ask(anna, Request::PauseJob).unwrap();
@@ -113,7 +113,7 @@ fn a_cable_that_is_out_while_a_paused_job_comes_to_rest_repeats_nothing() {
 }
 
 #[test]
-fn a_job_that_was_ended_is_not_paused_afterwards() {
+fn an_ended_job_is_not_paused_afterwards() {
     let (mut it, anna, job, _) = drawing();
     it.ask(anna, Request::CancelJob { job }).unwrap();
     it.ask(anna, Request::PauseJob).unwrap();
@@ -135,7 +135,7 @@ fn a_paused_job_that_is_ended_moves_nothing() {
 }
 
 #[test]
-fn a_pause_while_the_station_finds_out_where_the_arm_rests_repeats_nothing() {
+fn a_pause_while_the_station_detects_where_the_arm_rests_repeats_nothing() {
     for pause_ms in [0, 50, 150, 400, 900, 1_500] {
         let (mut it, _, job, drawing) = drawing();
         it.crash(Duration::from_millis(200)).unwrap();
@@ -151,7 +151,7 @@ fn a_pause_while_the_station_finds_out_where_the_arm_rests_repeats_nothing() {
 }
 
 #[test]
-fn a_paused_job_blocks_nothing_and_another_one_may_be_done_first() {
+fn a_paused_job_does_not_block_another_one() {
     let (mut it, anna, job, drawing) = drawing();
     it.ask(anna, Request::PauseJob).unwrap();
     wait_until_paused(&mut it, job);
@@ -168,7 +168,7 @@ fn a_paused_job_blocks_nothing_and_another_one_may_be_done_first() {
 }
 
 #[test]
-fn a_laser_whose_time_is_over_does_not_disturb_a_pen() {
+fn a_laser_whose_arming_time_is_over_does_not_disturb_a_pen() {
     let (mut it, anna, job, drawing) = drawing();
     it.ask(anna, Request::ArmLaser { for_s: 2.0 }).unwrap();
     let minutes = it.now() + Duration::from_secs(180);
@@ -203,10 +203,10 @@ fn the_time_that_is_left_gets_less_to_the_end() {
 }
 
 #[test]
-fn a_job_that_was_moved_away_by_hand_while_its_place_is_unclear_is_not_gone_on_with() {
+fn a_job_moved_away_by_hand_while_its_place_is_unclear_is_not_resumed() {
     let (mut it, _, job, _) = drawing();
     it.crash(Duration::from_millis(200)).unwrap();
-    // Somebody pushes the arm: it rests where no command ends.
+    // A person pushes the arm: it rests where no command ends.
     let away = spiral(1).commands[2];
     let moved = Command::MoveTo(dobot_wire::MoveTo {
         x_mm: 200.0,
@@ -234,7 +234,7 @@ fn a_job_that_was_moved_away_by_hand_while_its_place_is_unclear_is_not_gone_on_w
 }
 
 #[test]
-fn a_stop_promises_enough_time_while_the_dialect_is_found_out() {
+fn a_stop_allows_enough_time_while_the_dialect_is_being_detected() {
     let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
@@ -255,7 +255,7 @@ fn a_stop_promises_enough_time_while_the_dialect_is_found_out() {
 }
 
 #[test]
-fn a_program_that_is_paused_where_its_first_line_ends_goes_on_from_there() {
+fn a_program_paused_at_the_end_of_its_first_line_resumes_from_there() {
     let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();

@@ -24,7 +24,7 @@ fn two_pens(personality: Personality) -> NewJob {
 }
 
 #[test]
-fn a_job_waits_for_the_person_once_and_goes_on() {
+fn a_job_waits_for_the_person_once_and_continues() {
     for personality in PERSONALITIES {
         let planned = two_pens(personality);
         let (mut it, anna, job) = started(personality, &planned);
@@ -81,7 +81,7 @@ fn a_station_that_is_killed_while_a_job_waits_does_not_wait_again() {
 }
 
 #[test]
-fn a_station_that_is_killed_before_the_person_was_told_waits_all_the_same() {
+fn a_station_killed_before_the_person_was_asked_still_waits() {
     for personality in PERSONALITIES {
         let planned = two_pens(personality);
         for before_ms in [0, 100, 200, 400] {
@@ -109,7 +109,7 @@ fn a_station_that_is_killed_before_the_person_was_told_waits_all_the_same() {
 }
 
 #[test]
-fn a_person_who_pauses_right_before_it_is_told_all_the_same() {
+fn a_person_who_pauses_just_before_a_wait_is_still_asked() {
     let personality = Personality::Firmware11;
     let planned = two_pens(personality);
     let (mut it, anna, job) = started(personality, &planned);

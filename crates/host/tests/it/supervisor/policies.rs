@@ -21,7 +21,7 @@ fn down() -> Request {
 }
 
 #[test]
-fn a_command_is_judged_by_the_policy_that_holds_when_it_is_given() {
+fn a_command_is_judged_by_the_policy_in_force_when_it_is_given() {
     for personality in PERSONALITIES {
         let (mut it, anna) = over(personality, 0);
         it.set_policy(anna, low()).unwrap();
@@ -43,7 +43,7 @@ fn a_command_is_judged_by_the_policy_that_holds_when_it_is_given() {
 }
 
 #[test]
-fn what_is_under_way_was_judged_by_the_old_policy_and_has_to_be_over_first() {
+fn a_new_policy_is_refused_while_the_arm_moves_under_the_old_one() {
     for personality in PERSONALITIES {
         let (mut it, anna) = over(personality, 0);
         it.ask(anna, down()).unwrap();
@@ -101,8 +101,7 @@ fn slow_line(it: &mut VirtualStation, anna: ClientId) -> usize {
 }
 
 #[test]
-fn a_slow_straight_line_is_sent_in_pieces_where_the_policy_wants_that_and_a_stop_waits_for_one_only()
- {
+fn a_slow_straight_line_is_sent_in_pieces_if_the_policy_says_so_and_a_stop_waits_for_one_only() {
     for personality in PERSONALITIES {
         let rested_s = ["", "[queue]\nline_s = 1\n"].map(|policy| {
             let (mut it, anna) = over(personality, 0);
@@ -135,7 +134,7 @@ fn a_slow_straight_line_is_sent_in_pieces_where_the_policy_wants_that_and_a_stop
 }
 
 #[test]
-fn a_line_in_pieces_ends_where_the_whole_one_does_and_is_done_once() {
+fn a_line_in_pieces_ends_at_its_target_and_is_done_once() {
     for personality in PERSONALITIES {
         let (mut it, anna) = over(personality, 0);
         let policy = Policy::from_toml("[queue]\nline_s = 1\n").unwrap();

@@ -32,8 +32,7 @@ fn got(it: &mut VirtualStation, program: ClientId, packets: &[&[f32]]) -> Vec<Fr
 }
 
 #[test]
-fn the_start_of_a_program_of_the_pydobot_family_keeps_its_jump_height_and_is_told_what_was_changed()
-{
+fn a_program_of_the_pydobot_family_keeps_its_jump_height_and_learns_what_was_changed() {
     let mut it = virtual_station(Personality::Firmware11);
     let program = it.client("a raw program");
     let start: [&[f32]; 2] = [
@@ -46,7 +45,7 @@ fn the_start_of_a_program_of_the_pydobot_family_keeps_its_jump_height_and_is_tol
     assert_eq!(sent.len(), 2, "{sent:?}");
     assert_eq!(sent[0].float(10), 50.0, "the height of a JUMP");
     assert_eq!(sent[0].float(3), 200.0);
-    assert_eq!(sent[1].float(5), 100.0, "what is in force");
+    assert_eq!(sent[1].float(5), 100.0, "the value in force");
     // The result of both is the policy's ceiling.
     let policy = it.supervisor().policy();
     let line_mm_s = f64::from(sent[0].float(7)) * f64::from(sent[1].float(3)) / 100.0;
@@ -73,7 +72,7 @@ fn the_start_of_a_program_of_the_pydobot_family_keeps_its_jump_height_and_is_tol
 }
 
 #[test]
-fn a_setting_above_its_ceiling_is_sent_as_the_ceiling_and_the_rest_as_it_is() {
+fn a_setting_above_its_ceiling_is_sent_as_the_ceiling_and_the_rest_is_unchanged() {
     let mut it = virtual_station(Personality::Firmware11);
     let program = it.client("a raw program");
     for n in 3..=8 {
@@ -96,7 +95,7 @@ fn a_setting_above_its_ceiling_is_sent_as_the_ceiling_and_the_rest_as_it_is() {
 }
 
 #[test]
-fn the_sliders_of_the_vendors_client_and_its_demo_for_arduino_act() {
+fn the_sliders_of_the_vendors_client_and_its_demo_for_arduino_take_effect() {
     for personality in Personality::ALL {
         let mut it = virtual_station(personality);
         let program = it.client("a raw program");
@@ -113,7 +112,7 @@ fn the_sliders_of_the_vendors_client_and_its_demo_for_arduino_act() {
 }
 
 #[test]
-fn the_default_pause_of_the_vendors_client_is_told_when_it_begins() {
+fn the_default_pause_of_the_vendors_client_is_reported_when_it_begins() {
     let mut it = virtual_station(Personality::Specification);
     let program = it.client("a raw program");
     let start = [
@@ -242,7 +241,7 @@ fn bare_of_the_stations_own(commands: &[Command]) -> Vec<Command> {
 const REMEDIES: [&str; 3] = ["; send an allowed packet", "; use a JUMP", "`dobot "];
 
 #[test]
-fn every_program_that_is_retold_is_played() {
+fn every_program_in_the_vectors_has_a_test() {
     let source = include_str!("programs.rs");
     for name in names() {
         assert!(source.contains(&format!("check(\"{name}\")")), "{name}");
@@ -250,72 +249,72 @@ fn every_program_that_is_retold_is_played() {
 }
 
 #[test]
-fn the_vendors_client_jogs_and_grabs_as_it_does_at_a_bare_arm() {
+fn the_vendors_client_jogs_and_grips_as_on_a_bare_arm() {
     check("vendor_client_buttons");
 }
 
 #[test]
-fn presses_of_the_vendors_client_one_right_behind_the_other_all_act() {
+fn presses_of_the_vendors_client_in_quick_succession_all_take_effect() {
     check("vendor_client_quick_presses");
 }
 
 #[test]
-fn the_vendors_client_plays_back_as_it_does_at_a_bare_arm() {
+fn the_vendors_client_plays_back_as_on_a_bare_arm() {
     check("vendor_client_playback");
 }
 
 #[test]
-fn the_vendors_client_starts_for_the_first_time_as_it_does_at_a_bare_arm() {
+fn the_first_start_of_the_vendors_client_is_as_on_a_bare_arm() {
     check("vendor_client_first_start");
 }
 
 #[test]
-fn the_vendors_demo_for_arduino_swings_as_far_as_at_a_bare_arm() {
+fn the_vendors_demo_for_arduino_swings_as_far_as_on_a_bare_arm() {
     check("arduino_demo");
 }
 
 #[test]
-fn programs_of_the_pydobot_family_go_to_and_fro_as_at_a_bare_arm() {
+fn programs_of_the_pydobot_family_go_back_and_forth_as_on_a_bare_arm() {
     check("pydobot");
 }
 
 #[test]
-fn a_key_that_is_held_goes_as_far_as_at_a_bare_arm() {
+fn a_held_key_goes_as_far_as_on_a_bare_arm() {
     check("pydobot_keyboard");
 }
 
 #[test]
-fn a_target_out_of_reach_is_refused_and_the_rest_is_as_at_a_bare_arm() {
+fn a_target_out_of_reach_is_refused_and_the_rest_is_as_on_a_bare_arm() {
     check("pydobot_out_of_reach");
 }
 
 #[test]
-fn programs_with_a_pump_grab_as_at_a_bare_arm() {
+fn programs_with_a_pump_grip_as_on_a_bare_arm() {
     check("pydobot_suction");
 }
 
 #[test]
-fn jumps_sent_all_at_once_are_as_high_and_as_many_as_at_a_bare_arm() {
+fn jumps_sent_all_at_once_are_as_high_and_as_many_as_on_a_bare_arm() {
     check("pydobot_jumps");
 }
 
 #[test]
-fn node_goose_is_cured_of_its_first_packet_and_the_rest_is_as_at_a_bare_arm() {
+fn the_first_packet_of_node_goose_is_corrected_and_the_rest_is_as_on_a_bare_arm() {
     check("node_goose");
 }
 
 #[test]
-fn node_dobot_makes_its_one_move() {
+fn node_dobot_makes_its_only_move() {
     check("node_dobot");
 }
 
 #[test]
-fn a_client_in_c_sharp_moves_as_at_a_bare_arm_with_the_pump_as_it_was() {
+fn a_client_in_c_sharp_moves_as_on_a_bare_arm_and_leaves_the_pump_unchanged() {
     check("csharp_client");
 }
 
 #[test]
-fn jogs_at_any_percentage_are_as_at_a_bare_arm() {
+fn jogs_at_any_percentage_are_as_on_a_bare_arm() {
     check("jog_percentages");
 }
 
@@ -325,16 +324,16 @@ fn matlab_functions_of_a_course_go_where_a_bare_arm_goes() {
 }
 
 #[test]
-fn a_card_press_grabs_and_lets_go_as_at_a_bare_arm() {
+fn a_card_press_grips_and_releases_as_on_a_bare_arm() {
     check("card_press");
 }
 
 #[test]
-fn a_client_in_c_sharp_writes_as_a_bare_arm_does() {
+fn a_client_in_c_sharp_writes_as_on_a_bare_arm() {
     check("csharp_writer");
 }
 
 #[test]
-fn big_endian_packets_are_refused_with_the_reason_and_the_corrected_ones_act() {
+fn big_endian_packets_are_refused_with_the_reason_and_the_corrected_ones_take_effect() {
     check("python_big_endian");
 }

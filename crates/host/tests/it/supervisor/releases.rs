@@ -16,7 +16,7 @@ use dobot_wire::{
 
 const PERCENT: f32 = 50.0;
 
-/// The 16 buttons that move something, and those of the linear jog that do what a joint jog does.
+/// The 16 buttons that move something, and those of the linear jog that have the same effect as in a joint jog.
 pub(crate) fn buttons() -> Vec<Jog> {
     let joints = JointJogAxis::ALL.into_iter().filter(|axis| axis.moves());
     let lines = LinearJogAxis::ALL.into_iter().filter(|axis| axis.moves());
@@ -118,7 +118,7 @@ pub(crate) fn check_moved(
         if n == wanted {
             assert!(*moved > 0.5, "{what}: it moved by {moved}");
         } else {
-            // Rounding, and what a servo or a motor step cannot be set to.
+            // Rounding, and the resolution of servo and motor steps.
             assert!(moved.abs() < 0.2, "{what}: axis {n} moved by {moved}, too");
         }
     }
@@ -156,7 +156,7 @@ fn check_ended(delay_ms: u32, load_ms: u64, end: impl Fn(&mut VirtualStation, Cl
 const LINKS_MS: [u32; 5] = [0, 10, 30, 90, 200];
 
 #[test]
-fn every_button_is_released_by_its_own_kind_however_slow_the_link_is() {
+fn every_button_is_released_by_its_own_kind_on_any_slow_link() {
     for delay_ms in LINKS_MS {
         check_ended(delay_ms, 0, |it, anna| {
             it.ask(anna, Request::Release).unwrap();
@@ -165,7 +165,7 @@ fn every_button_is_released_by_its_own_kind_however_slow_the_link_is() {
 }
 
 #[test]
-fn every_button_is_released_by_its_own_kind_by_a_computer_that_is_late() {
+fn every_button_is_released_by_its_own_kind_by_a_slow_computer() {
     for load_ms in [90, 170, 330] {
         check_ended(0, load_ms, |it, anna| {
             it.ask(anna, Request::Release).unwrap();
@@ -183,14 +183,14 @@ fn a_stop_releases_every_button_by_its_own_kind() {
 }
 
 #[test]
-fn a_client_that_falls_silent_has_its_button_released_by_its_own_kind() {
+fn the_button_of_a_silent_client_is_released_by_its_own_kind() {
     for delay_ms in LINKS_MS {
         check_ended(delay_ms, 0, |_, _| {});
     }
 }
 
 #[test]
-fn a_button_that_was_held_when_the_cable_was_pulled_is_released_by_its_own_kind() {
+fn a_button_held_when_the_cable_was_pulled_is_released_by_its_own_kind() {
     check_ended(0, 0, |it, _| {
         it.unplug();
         it.run_for(Duration::from_millis(100));
@@ -199,7 +199,7 @@ fn a_button_that_was_held_when_the_cable_was_pulled_is_released_by_its_own_kind(
 }
 
 #[test]
-fn a_release_of_the_wrong_kind_that_a_client_sends_becomes_one_of_the_right_kind() {
+fn a_release_of_the_wrong_kind_from_a_client_becomes_one_of_the_right_kind() {
     let joint = Command::from(JointJog::new(JointJogAxis::Released, 0.0));
     let linear = Command::from(LinearJog::new(LinearJogAxis::Released, 0.0));
     for command in [joint, linear] {
@@ -214,7 +214,7 @@ fn a_release_of_the_wrong_kind_that_a_client_sends_becomes_one_of_the_right_kind
 }
 
 #[test]
-fn a_stop_of_an_arm_that_nobody_has_jogged_releases_nothing() {
+fn a_stop_of_an_arm_that_was_never_jogged_releases_nothing() {
     for personality in Personality::ALL {
         let (mut it, anna) = over(personality, 0);
         it.ask(anna, Request::Stop { reason: None }).unwrap();
@@ -224,7 +224,7 @@ fn a_stop_of_an_arm_that_nobody_has_jogged_releases_nothing() {
 }
 
 #[test]
-fn a_button_that_never_left_moves_nothing_and_the_one_before_is_released() {
+fn a_button_that_was_never_sent_moves_nothing_and_the_previous_one_is_released() {
     for personality in Personality::ALL {
         for never in buttons() {
             let first = match never {
@@ -238,7 +238,7 @@ fn a_button_that_never_left_moves_nothing_and_the_one_before_is_released() {
             it.ask(anna, Request::Jog { jog: first }).unwrap();
             // A press uses the permit of the last status up, and the next one waits for another.
             for jog in [joint(JointJogAxis::SuctionOff), never] {
-                // A switch lets go of the button; what runs down still may refuse the next one.
+                // A switch releases the button; an axis that still coasts may refuse the next one.
                 let _ = it.ask(anna, Request::Jog { jog });
             }
             it.ask(anna, Request::Release).unwrap();
@@ -255,7 +255,7 @@ fn a_button_that_never_left_moves_nothing_and_the_one_before_is_released() {
 }
 
 #[test]
-fn a_long_run_down_is_not_taken_for_a_reset() {
+fn a_long_coast_is_not_mistaken_for_a_reset() {
     for personality in Personality::ALL {
         for stops in [false, true] {
             let (mut it, anna) = over(personality, 0);

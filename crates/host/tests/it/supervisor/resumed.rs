@@ -82,7 +82,7 @@ fn finish(it: &mut VirtualStation, job: u64, wanted: &NewJob) -> Vec<usize> {
 }
 
 #[test]
-fn a_straight_first_way_that_the_arm_has_gone_already_does_not_keep_the_rest_from_going_on() {
+fn a_straight_first_line_that_is_already_done_does_not_keep_the_rest_from_resuming() {
     for personality in Personality::ALL {
         let mut it = virtual_station(personality);
         let wanted = program(&[
@@ -98,7 +98,7 @@ fn a_straight_first_way_that_the_arm_has_gone_already_does_not_keep_the_rest_fro
 }
 
 #[test]
-fn a_grip_that_is_seen_only_when_the_link_is_back_counts_as_done() {
+fn a_grip_seen_only_after_the_link_is_restored_counts_as_done() {
     for personality in Personality::ALL {
         for away_ms in (900..2_000).step_by(50) {
             let mut it = virtual_station(personality);
@@ -119,7 +119,7 @@ fn a_grip_that_is_seen_only_when_the_link_is_back_counts_as_done() {
 }
 
 #[test]
-fn a_station_that_stood_still_while_the_arm_went_on_sends_nothing_twice() {
+fn a_station_that_was_suspended_while_the_arm_continued_sends_nothing_twice() {
     for personality in Personality::ALL {
         for stalled_ms in [300, 700, 1_100, 1_900] {
             let mut it = virtual_station(personality);
@@ -150,7 +150,7 @@ fn a_station_that_stood_still_while_the_arm_went_on_sends_nothing_twice() {
 }
 
 #[test]
-fn a_program_whose_arm_was_reset_is_paused_and_sends_nothing_before_a_person_has_looked() {
+fn a_program_whose_arm_was_reset_is_paused_and_sends_nothing_until_a_person_has_checked() {
     for personality in Personality::ALL {
         let power_up = PowerUp::new(personality);
         let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
@@ -162,7 +162,7 @@ fn a_program_whose_arm_was_reset_is_paused_and_sends_nothing_before_a_person_has
             target([230.0, 0.0, 25.0], MovingMode::MovJ, false),
         ]);
         let (_, job) = begin(&mut it, &wanted);
-        // It stands still while the arm is reset, so that the link is not lost.
+        // It is frozen while the arm is reset, so that the link is not lost.
         it.run_for(Duration::from_millis(500));
         it.stall(Duration::from_secs(3));
         let before = it.packets().len();
@@ -178,7 +178,7 @@ fn a_program_whose_arm_was_reset_is_paused_and_sends_nothing_before_a_person_has
 }
 
 #[test]
-fn behind_a_straight_line_that_was_perhaps_cut_short_the_arm_is_sent_a_movj_before_the_next() {
+fn after_a_straight_line_that_may_have_been_cut_short_a_movj_is_sent_before_the_next() {
     // The cable is pulled while the line waits until laser off has passed.
     for unplugged_ms in [5, 20, 40, 47, 60, 100] {
         let mut it = virtual_station(Personality::Firmware11);

@@ -83,7 +83,7 @@ fn in_a_slot_only_its_student_and_administrators_get_control() {
 }
 
 #[test]
-fn who_asked_before_a_slot_began_is_not_given_control_in_it() {
+fn a_request_for_control_from_before_a_slot_is_not_granted_in_it() {
     let (mut it, [teacher, anna, ben]) = class(Personality::Specification);
     it.ask(teacher, Request::TakeLease).unwrap();
     it.ask(ben, Request::AskLease).unwrap();
@@ -99,7 +99,7 @@ fn who_asked_before_a_slot_began_is_not_given_control_in_it() {
 }
 
 #[test]
-fn a_person_is_known_by_the_name_of_his_token_whatever_he_calls_himself() {
+fn a_person_is_identified_by_the_token_and_not_by_the_name_of_the_client() {
     let (mut it, [teacher, ..]) = class(Personality::Specification);
     it.ask(teacher, set(&[slot("Anna", 0.0, 600.0)])).unwrap();
     let script = it.client_of("a script", Role::Control, "Anna");
@@ -109,7 +109,7 @@ fn a_person_is_known_by_the_name_of_his_token_whatever_he_calls_himself() {
 }
 
 #[test]
-fn a_burning_laser_goes_off_when_the_slot_ends_and_the_arm_comes_to_rest() {
+fn a_burning_laser_is_switched_off_when_the_slot_ends_and_the_arm_comes_to_rest() {
     for personality in Personality::ALL {
         let (mut it, [teacher, anna, ben]) = class(personality);
         it.ask(anna, Request::TakeLease).unwrap();
@@ -152,7 +152,7 @@ fn a_burning_laser_goes_off_when_the_slot_ends_and_the_arm_comes_to_rest() {
 }
 
 #[test]
-fn a_button_is_let_go_when_the_slot_of_somebody_else_begins() {
+fn a_button_is_released_when_another_persons_slot_begins() {
     for personality in Personality::ALL {
         let (mut it, [teacher, anna, ben]) = class(personality);
         it.ask(teacher, set(&[slot("Anna", 2.0, 600.0)])).unwrap();
@@ -169,7 +169,7 @@ fn a_button_is_let_go_when_the_slot_of_somebody_else_begins() {
 }
 
 #[test]
-fn an_administrator_keeps_control_and_his_job_in_the_time_of_a_student() {
+fn an_administrator_keeps_control_and_jobs_in_the_slot_of_a_student() {
     let (mut it, [teacher, ..]) = class(Personality::Specification);
     it.ask(teacher, Request::TakeLease).unwrap();
     let job = it.submit(&spiral(8)).unwrap();
@@ -182,7 +182,7 @@ fn an_administrator_keeps_control_and_his_job_in_the_time_of_a_student() {
 }
 
 #[test]
-fn nothing_is_interrupted_between_two_slots_of_one_student() {
+fn consecutive_slots_of_one_student_interrupt_nothing() {
     let (mut it, [teacher, anna, _]) = class(Personality::Specification);
     let slots = [slot("Anna", 0.0, 3.0), slot("ANNA", 3.0, 99.0)];
     it.ask(teacher, set(&slots)).unwrap();
@@ -196,7 +196,7 @@ fn nothing_is_interrupted_between_two_slots_of_one_student() {
 }
 
 #[test]
-fn a_list_by_which_the_time_of_a_student_goes_on_interrupts_nothing() {
+fn a_new_list_that_extends_the_slot_of_a_student_interrupts_nothing() {
     let (mut it, [teacher, anna, _]) = class(Personality::Specification);
     it.ask(teacher, set(&[slot("Anna", 0.0, 60.0)])).unwrap();
     it.ask(anna, Request::TakeLease).unwrap();
@@ -217,7 +217,7 @@ fn a_list_by_which_the_time_of_a_student_goes_on_interrupts_nothing() {
 }
 
 #[test]
-fn a_student_is_told_a_minute_before_and_the_arm_is_free_behind_the_last_slot() {
+fn a_student_is_warned_a_minute_before_the_end_and_the_arm_is_free_after_the_last_slot() {
     let (mut it, [teacher, anna, ben]) = class(Personality::Specification);
     it.ask(teacher, set(&[slot("Anna", 0.0, 90.0)])).unwrap();
     it.ask(anna, Request::TakeLease).unwrap();
@@ -237,7 +237,7 @@ fn a_student_is_told_a_minute_before_and_the_arm_is_free_behind_the_last_slot() 
 }
 
 #[test]
-fn cleared_slots_leave_control_where_it_is() {
+fn clearing_the_slots_leaves_control_unchanged() {
     let (mut it, [teacher, anna, ben]) = class(Personality::Specification);
     it.ask(teacher, set(&[slot("Anna", 0.0, 90.0)])).unwrap();
     it.ask(anna, Request::TakeLease).unwrap();
@@ -294,7 +294,7 @@ fn deed() -> impl Strategy<Value = Deed> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
     #[test]
-    fn in_the_slot_of_one_student_no_other_one_ever_has_control(deeds in prop::collection::vec(deed(), 1..60)) {
+    fn in_the_slot_of_one_student_no_other_student_ever_has_control(deeds in prop::collection::vec(deed(), 1..60)) {
         let mut it = virtual_station(Personality::Specification);
         let names = ["Anna", "Ben", "Chen", "an old program", "Ms Weber"];
         let come = |station: &mut VirtualStation, who: usize| {

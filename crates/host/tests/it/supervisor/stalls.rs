@@ -1,4 +1,4 @@
-//! A station that stood still acts as after a fault.
+//! A station that was frozen acts as after a fault.
 
 use std::time::Duration;
 
@@ -25,8 +25,7 @@ fn is_laser_off(command: &Command) -> bool {
 }
 
 #[test]
-fn a_station_that_stood_still_in_a_jog_lets_go_and_disarms_the_laser_before_it_says_anything_else()
-{
+fn a_station_suspended_in_a_jog_releases_and_disarms_the_laser_before_all_else() {
     for personality in Personality::ALL {
         let mut it = virtual_station(personality);
         let anna = it.client("Anna");
@@ -58,7 +57,7 @@ fn a_station_that_stood_still_in_a_jog_lets_go_and_disarms_the_laser_before_it_s
 }
 
 #[test]
-fn a_burning_job_of_a_station_that_stood_still_is_paused() {
+fn a_burning_job_of_a_suspended_station_is_paused() {
     for personality in Personality::ALL {
         let (mut it, _, _) = armed(personality);
         let latest = it.now() + Duration::from_secs(20);
@@ -77,7 +76,7 @@ fn a_burning_job_of_a_station_that_stood_still_is_paused() {
 }
 
 #[test]
-fn without_a_watchdog_nothing_is_jogged_and_nothing_burns_until_there_is_another() {
+fn without_a_watchdog_nothing_jogs_or_burns_until_there_is_a_new_one() {
     for personality in Personality::ALL {
         let mut it = virtual_station(personality);
         let anna = it.client("Anna");
@@ -112,7 +111,7 @@ fn without_a_watchdog_nothing_is_jogged_and_nothing_burns_until_there_is_another
 }
 
 #[test]
-fn a_burning_job_whose_watchdog_is_gone_is_paused_and_dark() {
+fn a_burning_job_that_loses_its_watchdog_is_paused_with_the_laser_off() {
     for personality in Personality::ALL {
         let (mut it, _, _) = armed(personality);
         let latest = it.now() + Duration::from_secs(20);

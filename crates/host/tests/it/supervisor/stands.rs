@@ -1,4 +1,4 @@
-//! The laser never burns while the arm stands still, whatever the sender.
+//! The laser never burns while the arm is at rest, for any sender.
 
 use std::time::Duration;
 
@@ -28,7 +28,7 @@ fn burns(it: &VirtualStation) -> bool {
     it.arm().controller().outputs().laser
 }
 
-/// A while in which nothing is sent, and a motion at its end: what stood until then is recorded.
+/// A while in which nothing is sent, and a motion at its end: the rest before it is recorded.
 fn rest(it: &mut VirtualStation, anna: ClientId) {
     it.run_for(Duration::from_secs(5));
     let command = vector([0.0, 0.0, 5.0], false);
@@ -64,7 +64,7 @@ fn a_single_vector_that_burns_does_not_leave_the_laser_on() {
 }
 
 #[test]
-fn a_packet_of_a_raw_program_that_burns_does_not_leave_the_laser_on() {
+fn a_burning_packet_of_a_raw_client_does_not_leave_the_laser_on() {
     for personality in Personality::ALL {
         let mut it = virtual_station(personality);
         let program = it.client("an old program");
@@ -89,7 +89,7 @@ fn a_packet_of_a_raw_program_that_burns_does_not_leave_the_laser_on() {
 }
 
 #[test]
-fn whoever_watches_is_told_that_the_laser_was_switched_off() {
+fn watchers_learn_that_the_laser_was_switched_off() {
     let mut it = virtual_station(Personality::Firmware11);
     let anna = armed(&mut it);
     let command = vector([10.0, 0.0, 0.0], true);
@@ -103,7 +103,7 @@ fn whoever_watches_is_told_that_the_laser_was_switched_off() {
 }
 
 #[test]
-fn vectors_that_follow_one_another_burn_without_a_packet_between_them() {
+fn consecutive_vectors_burn_without_a_packet_between_them() {
     for personality in Personality::ALL {
         let mut it = virtual_station(personality);
         let anna = armed(&mut it);
@@ -125,7 +125,7 @@ fn vectors_that_follow_one_another_burn_without_a_packet_between_them() {
 }
 
 #[test]
-fn a_policy_that_lets_the_laser_stand_lets_it_stand() {
+fn a_policy_that_allows_a_standing_laser_leaves_it_on() {
     let power_up = PowerUp::new(Personality::Firmware11);
     let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
     let mut policy = Policy::default();

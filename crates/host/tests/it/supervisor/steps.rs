@@ -28,7 +28,7 @@ fn rested(it: &mut VirtualStation) -> Status {
 const LEFT: Button = Button::Linear(LinearJogAxis::YPlus);
 
 #[test]
-fn a_second_step_begins_where_the_first_one_ends_also_one_of_the_other_jog() {
+fn a_second_step_begins_at_the_end_of_the_first_even_if_it_uses_the_other_jog() {
     for personality in PERSONALITIES {
         let (mut it, anna) = over(personality, 0);
         let before = rested(&mut it);
@@ -53,7 +53,7 @@ fn a_second_step_begins_where_the_first_one_ends_also_one_of_the_other_jog() {
 }
 
 #[test]
-fn pump_and_gripper_stay_as_they_are_when_an_arm_moves_by_a_step() {
+fn pump_and_gripper_are_unchanged_by_a_step() {
     for personality in PERSONALITIES {
         let (mut it, anna) = over(personality, 0);
         let holds = MoveTo {
@@ -78,7 +78,7 @@ fn pump_and_gripper_stay_as_they_are_when_an_arm_moves_by_a_step() {
 }
 
 #[test]
-fn a_step_is_judged_by_the_policy_and_by_who_has_control() {
+fn a_step_is_judged_by_the_policy_and_the_lease() {
     for personality in PERSONALITIES {
         let (mut it, anna) = over(personality, 0);
         let packets = it.packets().len();
@@ -96,7 +96,7 @@ fn a_step_is_judged_by_the_policy_and_by_who_has_control() {
 }
 
 #[test]
-fn a_step_that_is_no_step_is_refused_with_what_is_allowed() {
+fn an_invalid_step_is_refused_with_the_allowed_values() {
     let (mut it, anna) = over(PERSONALITIES[0], 0);
     for by in [0.0, -1.0, 100.1, f32::NAN, f32::INFINITY] {
         let refused = step(&mut it, anna, LEFT, by).unwrap_err();
@@ -116,7 +116,7 @@ fn a_step_that_is_no_step_is_refused_with_what_is_allowed() {
 }
 
 #[test]
-fn a_step_behind_a_button_that_runs_down_is_refused_until_the_arm_rests() {
+fn a_step_after_a_released_button_is_refused_until_the_arm_is_at_rest() {
     for personality in PERSONALITIES {
         let (mut it, anna) = over(personality, 0);
         let jog = dobot_api::Jog::Joint(JointJog::new(JointJogAxis::BasePlus, 50.0));

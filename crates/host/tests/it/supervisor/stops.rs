@@ -30,7 +30,7 @@ fn sent_since(it: &VirtualStation, since: usize) -> Vec<Command> {
 const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
 
 #[test]
-fn the_first_packet_after_a_stop_is_laser_off_and_it_leaves_in_the_same_moment() {
+fn the_first_packet_after_a_stop_is_laser_off_and_is_sent_immediately() {
     for stop_ms in (3_300..3_500).step_by(10) {
         let mut it = virtual_station(Personality::Firmware11);
         let (anna, ben) = (it.client("Anna"), it.client("Ben"));
@@ -50,7 +50,7 @@ fn the_first_packet_after_a_stop_is_laser_off_and_it_leaves_in_the_same_moment()
 }
 
 #[test]
-fn a_stop_right_behind_the_release_of_a_button_switches_the_laser_off_too() {
+fn a_stop_right_after_the_release_of_a_button_also_switches_the_laser_off() {
     for personality in Personality::ALL {
         for (presses, later_ms) in [(1, 5), (2, 0), (2, 5), (2, 30), (2, 60), (8, 5), (8, 200)] {
             let mut it = virtual_station(personality);
@@ -88,7 +88,7 @@ fn a_stop_right_behind_the_release_of_a_button_switches_the_laser_off_too() {
 }
 
 #[test]
-fn a_stopped_arm_refuses_everything_until_a_person_lets_it_go_on() {
+fn a_stopped_arm_refuses_everything_until_a_person_resets_the_stop() {
     let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
@@ -103,7 +103,7 @@ fn a_stopped_arm_refuses_everything_until_a_person_lets_it_go_on() {
 }
 
 #[test]
-fn a_stop_cannot_be_reset_while_the_arm_still_moves() {
+fn a_stop_cannot_be_reset_while_the_arm_is_moving() {
     let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
@@ -127,7 +127,7 @@ fn a_stop_cannot_be_reset_while_the_arm_still_moves() {
 }
 
 #[test]
-fn what_waits_is_never_sent_after_a_stop() {
+fn queued_packets_are_never_sent_after_a_stop() {
     let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
     it.ask(anna, Request::TakeLease).unwrap();
@@ -148,7 +148,7 @@ fn what_waits_is_never_sent_after_a_stop() {
 }
 
 #[test]
-fn the_arm_rests_as_soon_as_was_promised_whenever_it_is_stopped() {
+fn the_arm_rests_within_the_promised_time_after_a_stop_at_any_moment() {
     for eighth in 1..40 {
         let mut it = virtual_station(Personality::Firmware11);
         let anna = it.client("Anna");
@@ -188,7 +188,7 @@ fn notices_with(it: &VirtualStation, text: &str) -> usize {
 }
 
 #[test]
-fn a_stop_without_a_link_says_that_it_was_not_delivered_until_it_is() {
+fn a_stop_without_a_link_is_reported_as_not_delivered_until_it_is() {
     for personality in Personality::ALL {
         let (mut it, anna) = unplugged_in_a_jog(personality);
         let ben = it.client("Ben");
@@ -206,7 +206,7 @@ fn a_stop_without_a_link_says_that_it_was_not_delivered_until_it_is() {
         assert!(!it.supervisor().state().stop.unwrap().delivered);
         it.run_for(Duration::from_secs(5));
         assert!(notices_with(&it, "NOT DELIVERED") >= 5, "{personality}");
-        // Nobody knows whether the arm rests.
+        // It is unknown whether the arm is at rest.
         let refused = it.ask(anna, Request::ResetStop).unwrap_err();
         assert_eq!(refused.kind(), "no-link");
         let before = it.packets().len();
@@ -273,8 +273,7 @@ fn moved_since(it: &VirtualStation, since: usize) -> bool {
 }
 
 #[test]
-fn a_stop_of_the_fleet_that_a_station_learns_of_switches_its_laser_off_first_and_nothing_more_is_sent()
- {
+fn a_fleet_stop_first_switches_the_laser_off_and_nothing_more_is_sent() {
     let (mut one, mut other, ben) = two_stations();
     let job = other.submit(&spiral(12)).unwrap();
     other.start(ben, job).unwrap();
@@ -295,7 +294,7 @@ fn a_stop_of_the_fleet_that_a_station_learns_of_switches_its_laser_off_first_and
 }
 
 #[test]
-fn a_stop_of_the_fleet_holds_through_a_restart_of_every_station() {
+fn a_fleet_stop_holds_through_a_restart_of_every_station() {
     let (mut one, mut other, _) = two_stations();
     let stop = one.stop_fleet("desk-1", fire_drill());
     other.adopt_fleet_stops(&[stop]);
@@ -313,7 +312,7 @@ fn a_stop_of_the_fleet_holds_through_a_restart_of_every_station() {
 }
 
 #[test]
-fn a_station_that_was_away_when_the_fleet_was_reset_moves_again_when_it_learns_of_that() {
+fn a_station_that_was_away_at_the_fleet_reset_moves_again_once_it_learns_of_it() {
     let (mut one, mut other, ben) = two_stations();
     let stop = one.stop_fleet("desk-1", fire_drill());
     other.adopt_fleet_stops(&[stop]);
@@ -327,7 +326,7 @@ fn a_station_that_was_away_when_the_fleet_was_reset_moves_again_when_it_learns_o
 }
 
 #[test]
-fn an_arm_that_still_moves_is_let_go_by_a_reset_of_the_fleet_when_it_rests() {
+fn an_arm_that_is_still_moving_is_released_by_a_fleet_reset_when_it_rests() {
     let (mut one, mut other, ben) = two_stations();
     other.ask(ben, target(100.0)).unwrap();
     other.run_for(Duration::from_millis(800));
@@ -343,7 +342,7 @@ fn an_arm_that_still_moves_is_let_go_by_a_reset_of_the_fleet_when_it_rests() {
 }
 
 #[test]
-fn a_stop_of_one_arm_holds_when_that_of_the_fleet_is_reset() {
+fn a_stop_of_one_arm_holds_when_the_fleet_is_reset() {
     let (mut one, mut other, ben) = two_stations();
     let reason = Some("finger caught".to_owned());
     other.ask(ben, Request::Stop { reason }).unwrap();
@@ -362,8 +361,7 @@ fn a_stop_of_one_arm_holds_when_that_of_the_fleet_is_reset() {
 }
 
 #[test]
-fn an_arm_that_a_person_lets_go_moves_while_the_others_stay_stopped_and_the_same_stop_does_not_come_back()
- {
+fn an_arm_reset_by_a_person_moves_while_the_others_stay_stopped_and_is_not_stopped_again() {
     let (mut one, mut other, ben) = two_stations();
     let stop = one.stop_fleet("desk-1", fire_drill());
     other.adopt_fleet_stops(std::slice::from_ref(&stop));

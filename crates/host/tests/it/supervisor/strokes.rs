@@ -1,4 +1,4 @@
-//! Strokes that are drawn in one go: what a pause, another speed and another height make of them.
+//! Strokes that are drawn in one go: the effects of a pause, another speed and another height.
 
 use std::f64::consts::TAU;
 use std::time::Duration;
@@ -195,7 +195,7 @@ fn assert_smooth(it: &VirtualStation, usual_mm_s: f64, what: &str) {
 }
 
 #[test]
-fn a_long_drawing_ends_where_it_should_for_all_the_rounding_of_a_stock_arm() {
+fn a_long_drawing_ends_at_its_place_despite_the_rounding_of_a_stock_arm() {
     let personality = Personality::Firmware11;
     let dash = |i: i32| {
         let (x, y) = (200.0 + f64::from(i % 40), f64::from(i / 40 % 40));
@@ -219,7 +219,7 @@ fn a_long_drawing_ends_where_it_should_for_all_the_rounding_of_a_stock_arm() {
 }
 
 #[test]
-fn a_pause_in_a_stroke_brakes_lifts_and_goes_on_from_rest() {
+fn a_pause_in_a_stroke_brakes_lifts_and_resumes_from_rest() {
     for personality in PERSONALITIES {
         let usual_mm_s = usual_roughness_mm_s(personality);
         let planned = pen_job(personality, &[(spiral(), None)]);
@@ -243,7 +243,7 @@ fn a_pause_in_a_stroke_brakes_lifts_and_goes_on_from_rest() {
 }
 
 #[test]
-fn a_pen_does_not_stand_on_the_paper_where_a_job_is_paused() {
+fn a_pen_does_not_rest_on_the_paper_when_a_job_is_paused() {
     for personality in PERSONALITIES {
         let planned = pen_job(personality, &[(spiral(), None)]);
         let (mut it, anna, job) = started(personality, &planned);
@@ -258,7 +258,7 @@ fn a_pen_does_not_stand_on_the_paper_where_a_job_is_paused() {
     }
 }
 
-/// Returns the longest time that the pen stood in one place on the paper, in seconds.
+/// Returns the longest time that the pen rested in one place on the paper, in seconds.
 fn longest_stand_s(samples: &[Sample]) -> f64 {
     let mut longest_s: f64 = 0.0;
     let mut since = samples[0];
@@ -313,7 +313,7 @@ fn drawing_s(samples: &[Sample]) -> f64 {
 }
 
 #[test]
-fn another_speed_in_a_stroke_comes_smoothly_and_draws_the_same() {
+fn a_speed_change_in_a_stroke_is_smooth_and_draws_the_same() {
     for personality in PERSONALITIES {
         let usual_mm_s = usual_roughness_mm_s(personality);
         let planned = pen_job(personality, &[(spiral(), None)]);
@@ -336,7 +336,7 @@ fn another_speed_in_a_stroke_comes_smoothly_and_draws_the_same() {
 }
 
 #[test]
-fn a_drawing_that_is_killed_lowered_and_paused_in_its_strokes_stays_on_its_lines() {
+fn a_drawing_killed_lowered_and_paused_in_its_strokes_stays_on_its_lines() {
     for personality in PERSONALITIES {
         let passes = [(spiral(), None), (spiral(), None)];
         let (mut it, _, job) = started(personality, &pen_job(personality, &passes));
@@ -370,7 +370,7 @@ fn a_drawing_that_is_killed_lowered_and_paused_in_its_strokes_stays_on_its_lines
 }
 
 #[test]
-fn a_job_behind_another_one_is_drawn_where_it_should_be() {
+fn a_job_after_another_one_is_drawn_at_its_place() {
     for personality in PERSONALITIES {
         let planned = pen_job(personality, &[(spiral(), None)]);
         let (mut it, anna, job) = started(personality, &planned);
@@ -387,7 +387,7 @@ fn a_job_behind_another_one_is_drawn_where_it_should_be() {
 }
 
 #[test]
-fn a_speed_that_was_set_holds_for_the_job_and_not_for_the_next() {
+fn a_set_speed_applies_to_the_job_and_not_to_the_next() {
     let personality = Personality::Firmware11;
     let planned = pen_job(personality, &[(spiral(), None)]);
     let (mut it, anna, job) = started(personality, &planned);
@@ -406,7 +406,7 @@ fn a_speed_that_was_set_holds_for_the_job_and_not_for_the_next() {
 }
 
 #[test]
-fn a_job_that_is_done_tells_how_long_it_took_without_its_pauses() {
+fn a_finished_job_reports_its_duration_without_pauses() {
     for personality in PERSONALITIES {
         let planned = pen_job(personality, &[(spiral(), None)]);
         let took_s = |pauses: bool| {

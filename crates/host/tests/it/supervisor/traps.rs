@@ -88,7 +88,7 @@ fn hand([x, y, z]: [f32; 3]) -> Command {
 }
 
 #[test]
-fn mouse_and_hand_never_hang_an_arm_at_its_lower_stop_whatever_the_gap_between_them() {
+fn mouse_and_hand_packets_at_any_interval_never_hang_an_arm_at_its_lower_stop() {
     let rows = [
         mouse([0.0, 0.0, -3.0]),
         mouse([0.0, 0.0, -0.1]),
@@ -124,7 +124,7 @@ fn mouse_and_hand_never_hang_an_arm_at_its_lower_stop_whatever_the_gap_between_t
 }
 
 #[test]
-fn a_mouse_that_goes_to_and_fro_is_followed_and_never_hangs_the_arm() {
+fn a_mouse_moving_back_and_forth_is_followed_and_never_hangs_the_arm() {
     for by in [By::Api, By::Raw] {
         let (mut it, anna) = stock();
         let mut taken = 0;
@@ -140,7 +140,7 @@ fn a_mouse_that_goes_to_and_fro_is_followed_and_never_hangs_the_arm() {
 }
 
 #[test]
-fn a_gesture_behind_mouse_packets_is_averaged_with_what_they_left() {
+fn a_gesture_after_mouse_packets_is_averaged_with_their_remainder() {
     // The recording p47: the arm is expected to be there when the second gesture is over.
     let (mut it, anna) = stock();
     for (by, wait_ms) in [
@@ -171,7 +171,7 @@ fn a_gesture_behind_mouse_packets_is_averaged_with_what_they_left() {
     }
 }
 
-/// Packets of floats by state, first floats and where they stand.
+/// Packets of floats by state, first floats and their positions.
 fn frame(floats: &[(usize, f32)]) -> Packet {
     let frame = floats
         .iter()
@@ -180,7 +180,7 @@ fn frame(floats: &[(usize, f32)]) -> Packet {
 }
 
 #[test]
-fn no_packet_that_is_a_trap_by_itself_leaves_the_raw_port() {
+fn no_packet_that_is_a_trap_by_itself_is_passed_on_from_the_raw_port() {
     let speeds = |n: usize, value: f32| {
         let all = [
             (3, 90.0),
@@ -225,7 +225,7 @@ fn no_packet_that_is_a_trap_by_itself_leaves_the_raw_port() {
     traps.push(vec![(1, 4.0), (2, 1.0), (3, 5.0), (7, 0.5), (10, 40.0)]);
     for bad in [0.0, -1.0, f32::NAN, f32::INFINITY] {
         for n in 3..=8 {
-            // Jog speeds of 0 and what is above a ceiling are amended: see `programs`.
+            // Jog speeds of 0 and values above a ceiling are amended: see `programs`.
             if bad != 0.0 {
                 let mut teach = speeds(n, bad);
                 teach[1] = (2, 0.0);
@@ -253,7 +253,7 @@ fn no_packet_that_is_a_trap_by_itself_leaves_the_raw_port() {
         assert!(taken.is_err(), "{floats:?} was sent");
         it.run_for(Duration::from_millis(100));
     }
-    // Where it stands, by its place and by its angles.
+    // Its current pose, by its place and by its angles.
     let status = it.supervisor().state().arm.unwrap().status;
     let (x, y, z) = (status.x_mm, status.y_mm, status.z_mm);
     let here = frame(&[(1, 3.0), (3, x), (4, y), (5, z), (8, 2.0)]);
@@ -281,7 +281,7 @@ fn vector(by: [f32; 3], end_mm_s: f32, max_mm_s: f32) -> Command {
 }
 
 #[test]
-fn a_vector_that_would_creep_on_for_ever_is_refused() {
+fn a_vector_that_would_creep_for_ever_is_refused() {
     // The vectors of the recording p44; the last is one of laser mode without the laser.
     for by in [By::Api, By::Raw] {
         let (mut it, anna) = stock();

@@ -51,7 +51,7 @@ fn place(it: &VirtualStation) -> [f32; 3] {
 }
 
 #[test]
-fn an_arm_does_what_the_words_mean_whether_it_hears_them_or_not() {
+fn an_arm_obeys_the_words_with_and_without_voice_support() {
     for personality in PERSONALITIES {
         for raw in [false, true] {
             let (mut it, anna) = lab(personality);
@@ -76,7 +76,7 @@ fn an_arm_does_what_the_words_mean_whether_it_hears_them_or_not() {
 }
 
 #[test]
-fn a_stock_arm_gets_no_voice_packet_over_usb_and_the_pump_stays_on_the_way() {
+fn a_stock_arm_gets_no_voice_packet_over_usb_and_the_pump_stays_on_during_the_motion() {
     let (mut it, anna) = lab(Personality::Firmware11);
     say(&mut it, anna, false, "catch").unwrap();
     say(&mut it, anna, false, "ahead five").unwrap();
@@ -89,7 +89,7 @@ fn a_stock_arm_gets_no_voice_packet_over_usb_and_the_pump_stays_on_the_way() {
 }
 
 #[test]
-fn what_the_words_mean_is_judged_as_the_motion_that_it_is() {
+fn a_voice_command_is_judged_as_the_motion_that_it_means() {
     let (mut it, anna) = lab(Personality::Firmware11);
     for (text, why) in [
         ("down seventy", "table allows"),
@@ -102,7 +102,7 @@ fn what_the_words_mean_is_judged_as_the_motion_that_it_is() {
 }
 
 #[test]
-fn nobody_speaks_to_an_arm_that_moves_and_hears_it() {
+fn no_voice_packet_is_sent_to_a_moving_arm_with_voice_support() {
     let (mut it, anna) = lab(Personality::Specification);
     say(&mut it, anna, false, "left twenty").unwrap();
     it.run_for(Duration::from_millis(300));

@@ -38,7 +38,7 @@ fn station(personality: Personality) -> (VirtualStation, ClientId) {
 }
 
 #[test]
-fn the_way_that_is_told_is_the_way_that_the_arm_goes() {
+fn the_reported_path_is_the_path_of_the_arm() {
     for personality in PERSONALITIES {
         let (mut it, anna) = station(personality);
         let there = line(210.0, -40.0, 60.0);
@@ -86,7 +86,7 @@ fn off_mm(at: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
 }
 
 #[test]
-fn whoever_asks_sends_nothing_needs_no_control_and_tells_nobody() {
+fn a_path_query_sends_nothing_needs_no_control_and_reports_nothing() {
     for personality in PERSONALITIES {
         let (mut it, anna) = station(personality);
         let (packets, notices) = (it.packets().len(), it.notices().len());
@@ -98,7 +98,7 @@ fn whoever_asks_sends_nothing_needs_no_control_and_tells_nobody() {
 }
 
 #[test]
-fn what_a_place_is_near_to_is_told_before_the_arm_goes_there_and_with_its_state_when_it_is_there() {
+fn nearby_limits_are_reported_before_the_arm_moves_and_in_its_state_after_it() {
     for personality in PERSONALITIES {
         let (mut it, anna) = station(personality);
         assert!(it.supervisor().state().arm.unwrap().near.is_empty());
@@ -121,7 +121,7 @@ fn what_a_place_is_near_to_is_told_before_the_arm_goes_there_and_with_its_state_
         let command = line(220.0, 0.0, 126.0);
         it.ask(anna, Request::Command { command }).unwrap();
         it.run_for(Duration::from_secs(20));
-        // An arm stands as far from there as its motors count.
+        // An arm is at most one motor step away from there.
         let there = it.supervisor().state().arm.unwrap().near;
         assert_eq!(there.limits.len(), near.limits.len(), "{there:?}");
         for (reported, told) in there.limits.iter().zip(&near.limits) {
@@ -149,7 +149,7 @@ fn what_a_place_is_near_to_is_told_before_the_arm_goes_there_and_with_its_state_
 }
 
 #[test]
-fn a_place_beyond_reach_is_refused_with_the_last_one_that_is_allowed() {
+fn a_place_beyond_reach_is_refused_with_the_last_allowed_one() {
     for personality in PERSONALITIES {
         let (mut it, anna) = station(personality);
         let Err(Refusal::Policy(violation)) = asked(&mut it, anna, line(500.0, 0.0, 60.0)) else {
@@ -166,7 +166,7 @@ fn a_place_beyond_reach_is_refused_with_the_last_one_that_is_allowed() {
 }
 
 #[test]
-fn the_marked_way_of_a_job_is_what_its_pen_draws() {
+fn the_marked_path_of_a_job_is_the_line_of_its_pen() {
     for personality in PERSONALITIES {
         let strokes = [
             [(200.0, -30.0), (240.0, -30.0)],

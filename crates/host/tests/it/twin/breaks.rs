@@ -34,7 +34,7 @@ async fn a_person_is_asked_for_each_pen_and_the_pen_is_up_meanwhile() {
 }
 
 #[tokio::test]
-async fn whoever_takes_his_time_to_change_the_pen_does_not_make_the_drawing_longer() {
+async fn a_slow_pen_change_does_not_make_the_drawing_longer() {
     let passes = |message: Option<&str>| {
         let second = Pass {
             message: message.map(str::to_owned),

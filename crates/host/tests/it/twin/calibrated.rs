@@ -49,7 +49,7 @@ const ZEROS: Calibration = Calibration {
 const HARBOUR: &str = include_str!("../../../../../examples/drawings/harbour.svg");
 
 #[test]
-fn an_old_arm_draws_the_harbour_where_the_sheet_says_once_it_is_calibrated() {
+fn a_calibrated_old_arm_draws_the_harbour_at_the_place_on_the_sheet() {
     for personality in Personality::ALL {
         let mut arm = OldArm::new(personality, [0.0; 3]);
         let known = arm.calibrate();
@@ -64,7 +64,7 @@ fn an_old_arm_draws_the_harbour_where_the_sheet_says_once_it_is_calibrated() {
 }
 
 #[test]
-fn the_backlash_of_an_old_arm_is_taken_up_where_its_joints_turn_back() {
+fn the_backlash_of_an_old_arm_is_taken_up_when_its_joints_turn_back() {
     let slack = [0.3, 0.25, 0.3];
     for personality in Personality::ALL {
         let mut arm = OldArm::new(personality, slack);
@@ -223,7 +223,7 @@ impl OldArm {
             let place = Point::new(at.x.0, at.y.0);
             let above_mm = at.z.0 - paper_z_mm(place);
             has_begun |= above_mm > 3.0 && place.distance(wanted[0].points[0]) < 40.0;
-            // A pen gives by so much.
+            // A pen gives by this much.
             let writes = above_mm < 0.4;
             if writes && has_begun {
                 if !is_down {

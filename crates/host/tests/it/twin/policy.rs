@@ -1,4 +1,4 @@
-//! Whether the rules allow what is planned: a plan accepted by a dry run must not be refused in the
+//! Whether the rules allow every plan: a plan accepted by a dry run must not be refused in the
 //! run.
 
 use dobot_arm::{Pose, Position, Tool};
@@ -80,7 +80,7 @@ fn refused(
 enum Before {
     /// Nothing since its power-up.
     Rest,
-    /// Nobody knows: so it is where a program connects to it.
+    /// Unknown: a client has connected to it.
     Others,
 }
 
@@ -200,7 +200,7 @@ proptest! {
             let commands = plan.commands().collect();
             let refusal_behind_others = refused_behind(Before::Others, commands, plan.start, dialect, effector);
             prop_assert_eq!(refusal_behind_others, None);
-            // The policy has a least speed for lasers: what is slower is refused when it is asked for.
+            // The policy has a least speed for lasers: a slower request is refused.
             if plan.moves.is_empty() || plan.burns() {
                 continue;
             }
@@ -214,7 +214,7 @@ proptest! {
 /// After a burned vector that ended at 0.16 mm/s the lead-out, 0.3 mm, took two seconds: with the
 /// laser off a stock arm accelerates by 200 mm/s at each tick, or not at all.
 #[test]
-fn a_laser_that_goes_off_behind_a_slow_shape_does_not_creep_on() {
+fn a_laser_that_is_switched_off_after_a_slow_shape_does_not_creep() {
     let sides = [
         [-3.0840, -1.0021],
         [0.0, -3.3308],
@@ -255,9 +255,9 @@ fn a_laser_that_goes_off_behind_a_slow_shape_does_not_creep_on() {
     }
 }
 
-/// Behind a line of 165 mm, which a stock arm can run 2 % faster or 5 % slower, it kept 0.36 mm/s for a piece of 0.2 mm.
+/// After a line of 165 mm, which a stock arm can run 2 % faster or 5 % slower, it kept 0.36 mm/s for a piece of 0.2 mm.
 #[test]
-fn a_laser_does_not_creep_along_a_short_piece_for_a_long_line_before_it() {
+fn a_laser_does_not_creep_along_a_short_piece_because_of_a_long_line_before_it() {
     let points = [
         (237.460_504_156_907_58, 81.879_966_704_964_43),
         (182.539_495_843_092_42, -73.691_970_034_467_99),
@@ -280,7 +280,7 @@ fn a_laser_does_not_creep_along_a_short_piece_for_a_long_line_before_it() {
 /// A speed left by previous clients of the arm became the start of a run-out of 0.15 mm: almost
 /// nothing, or less.
 #[test]
-fn a_laser_does_not_creep_behind_small_shapes_that_begin_with_a_speed_that_nobody_knows() {
+fn a_laser_does_not_creep_after_small_shapes_that_begin_at_an_unknown_speed() {
     for sides in 3..9_u32 {
         for radius_mm in [0.2, 0.35, 0.5, 1.0] {
             let at = |i: u32| {

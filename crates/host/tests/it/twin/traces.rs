@@ -101,7 +101,7 @@ fn seek(timeline: &Timeline, t: f64) -> [f64; 3] {
 }
 
 #[tokio::test]
-async fn the_timeline_tells_where_the_tool_is_at_any_time() {
+async fn the_timeline_gives_the_place_of_the_tool_at_any_time() {
     for passes in [
         &two_passes()[..],
         &[laser(vec![square(200.0, 0.0, 20.0)], 1)],
@@ -133,7 +133,7 @@ async fn the_timeline_tells_where_the_tool_is_at_any_time() {
 }
 
 #[tokio::test]
-async fn the_moves_of_the_timeline_follow_one_another_stroke_by_stroke() {
+async fn the_moves_of_the_timeline_are_consecutive_stroke_by_stroke() {
     let personality = Personality::ALL[0];
     let plan = plan(&two_passes(), personality);
     let bench = drawn(&plan, personality).await;
@@ -177,7 +177,7 @@ async fn ten_minutes_of_drawing_are_less_than_two_megabytes() {
 }
 
 #[tokio::test]
-async fn an_arm_that_never_came_to_the_start_has_drawn_nothing() {
+async fn an_arm_that_never_reached_the_start_has_drawn_nothing() {
     let plan = plan(&two_passes(), Personality::ALL[0]);
     let error = Trace::new(&plan, &PAPER, &[], &[]).unwrap_err();
     assert_eq!(
@@ -188,7 +188,7 @@ async fn an_arm_that_never_came_to_the_start_has_drawn_nothing() {
 }
 
 #[tokio::test]
-async fn the_statuses_show_the_ink_and_not_where_the_arm_stood_before() {
+async fn the_statuses_show_the_ink_and_not_the_place_of_the_arm_before() {
     for personality in Personality::ALL {
         let passes = two_passes();
         let plan = plan(&passes, personality);

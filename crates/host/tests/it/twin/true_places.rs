@@ -13,7 +13,7 @@ use dobot_sim::{Fault, SerialLine, VirtualArm};
 use dobot_supervisor::Refusal;
 use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, WriteVector};
 
-/// An arm that stands elsewhere than it reports, and a person who knows it.
+/// An arm that is not where it reports, and a person who knows that.
 struct Known {
     station: VirtualStation,
     anna: ClientId,
@@ -99,7 +99,7 @@ fn line(x: f32, y: f32, z: f32) -> MoveTo {
 }
 
 #[test]
-fn an_arm_that_is_calibrated_goes_to_the_true_place_and_says_so() {
+fn a_calibrated_arm_goes_to_the_true_place_and_reports_it() {
     for personality in Personality::ALL {
         let mut it = Known::new(personality, "");
         it.send(MoveTo::to(220.0, 30.0, 10.0)).unwrap();
@@ -157,7 +157,7 @@ fn the_policy_judges_true_places() {
 }
 
 #[test]
-fn where_a_command_would_lead_is_told_in_true_places() {
+fn the_target_of_a_command_is_reported_in_true_places() {
     let mut it = Known::new(Personality::Firmware11, "");
     let command = Command::from(MoveTo::to(220.0, 30.0, 10.0));
     let way = match it.station.ask(it.anna, Request::CheckCommand { command }) {
@@ -172,7 +172,7 @@ fn where_a_command_would_lead_is_told_in_true_places() {
 }
 
 #[test]
-fn an_arm_that_was_told_its_true_angles_needs_no_zeros_until_it_is_reset() {
+fn an_arm_with_its_true_angles_set_needs_no_zeros_until_it_is_reset() {
     for personality in Personality::ALL {
         let mut it = Known::new(personality, "");
         it.send(MoveTo::to(220.0, 30.0, 10.0)).unwrap();
@@ -185,9 +185,9 @@ fn an_arm_that_was_told_its_true_angles_needs_no_zeros_until_it_is_reset() {
         let told = state.arm.unwrap().told.unwrap();
         assert!(
             (told.rear_deg - 40.0).abs() < 0.02,
-            "the arm itself says {told:?}"
+            "the arm itself reports {told:?}"
         );
-        // A person checks that it stands as reported now.
+        // A person confirms that its reported pose is now right.
         it.ask(Request::ConfirmPose).unwrap();
         it.send(line(220.0, 30.0, 10.0)).unwrap();
         it.is_at([220.0, 30.0, 10.0]);
@@ -195,7 +195,7 @@ fn an_arm_that_was_told_its_true_angles_needs_no_zeros_until_it_is_reset() {
 }
 
 #[test]
-fn a_job_that_was_made_before_the_arm_was_told_its_angles_is_not_done_at_other_places() {
+fn a_job_made_before_the_angles_were_set_is_not_drawn_at_other_places() {
     let mut it = Known::new(Personality::Firmware11, "");
     it.send(MoveJoints::to([0.0, 40.0, 45.0, 0.0])).unwrap();
     let job = NewJob {
@@ -213,7 +213,7 @@ fn a_job_that_was_made_before_the_arm_was_told_its_angles_is_not_done_at_other_p
 }
 
 #[test]
-fn a_calibration_is_taken_only_while_nothing_moves_and_can_be_taken_back() {
+fn a_calibration_is_accepted_only_at_rest_and_can_be_undone() {
     let mut it = Known::new(Personality::Specification, "");
     let command = Command::from(MoveTo::to(220.0, 30.0, 10.0));
     it.station

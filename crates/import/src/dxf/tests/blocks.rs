@@ -15,7 +15,7 @@ pub(super) const MATRICES: &str = "40 1 40 0 40 0 40 -100 40 0 40 1 40 0 40 0 40
     40 1 40 0 40 0 40 0 40 0 40 1 40 0 40 0 40 0 40 0 40 1 40 0";
 
 #[test]
-fn a_clipped_block_shows_only_what_lies_in_its_clip() {
+fn a_clipped_block_shows_only_its_parts_within_the_clip() {
     let blocks =
         "0 BLOCK 2 a 0 LINE 10 0 20 0 11 40 21 0 0 SOLID 10 0 20 5 11 40 21 5 12 0 22 9 13 40 23 9
         0 POINT 10 90 20 0 0 ENDBLK";
@@ -141,7 +141,7 @@ fn a_multileader_is_drawn_with_its_lines_and_its_note() {
             "{found}, expected {expected}"
         );
     }
-    // The letter hangs from where the note says, 1 mm above the place to which the lines lead.
+    // The letter hangs from the place of the note, 1 mm above the place to which the lines lead.
     let letter = bounds_of_strokes(&strokes[2..]);
     let above = strokes[0].points.last().unwrap().y - letter.y0;
     let found = [letter.x0, letter.height(), above];
@@ -183,7 +183,7 @@ fn a_mesh_is_drawn_by_the_edges_of_its_faces_each_once() {
 }
 
 #[test]
-fn a_wipeout_is_meant_to_cover_nothing() {
+fn a_wipeout_is_skipped_and_hides_nothing() {
     let (_, warnings) = draw("0 LINE 10 0 20 0 11 5 21 5 0 WIPEOUT 10 0 20 0 11 1 21 0 12 0 22 1");
     assert!(
         warnings[0].contains("1 WIPEOUT: left out, and what it covers is drawn"),

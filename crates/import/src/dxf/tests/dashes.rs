@@ -1,7 +1,7 @@
 use super::*;
 
 #[test]
-fn lines_that_have_the_type_of_their_block_are_dashed_as_its_insert_says() {
+fn lines_with_the_type_of_their_block_are_dashed_as_its_insert_specifies() {
     let table = "0 LTYPE 2 Dashed 49 3 49 -2 0 LAYER 2 walls 6 DASHED";
     let block = "0 BLOCK 2 a 0 LINE 6 ByBlock 10 0 20 0 11 20 21 0 0 ENDBLK \
          0 BLOCK 2 b 0 INSERT 2 a 6 BYBLOCK 10 0 20 0 0 ENDBLK";

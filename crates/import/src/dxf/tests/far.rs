@@ -1,7 +1,7 @@
 use super::*;
 
 #[test]
-fn a_plan_in_millimetres_in_the_coordinates_of_a_country_keeps_its_size() {
+fn a_plan_in_millimetres_in_national_coordinates_keeps_its_size() {
     let (east, north) = (4_468_503_000.0, 5_333_304_000.0);
     let corners = [(0.0, 0.0), (12_000.25, 0.0), (12_000.25, 9_000.5)];
     let mut line = "0 LWPOLYLINE ".to_owned();
@@ -17,7 +17,7 @@ fn a_plan_in_millimetres_in_the_coordinates_of_a_country_keeps_its_size() {
 }
 
 #[test]
-fn what_is_so_far_off_that_its_places_run_together_is_refused() {
+fn a_drawing_too_far_off_to_resolve_its_places_is_refused() {
     let line = |x: &str| file("", "", &format!("0 LINE 10 {x} 20 0 11 {x} 21 5"));
     assert_eq!(
         error(line("2e12").as_bytes()),

@@ -38,7 +38,7 @@ fn same(found_mm: f64, expected_mm: f64) {
 }
 
 #[test]
-fn a_line_under_a_solid_is_cut_and_one_upon_it_is_not() {
+fn a_line_under_a_solid_is_cut_and_one_above_it_is_not() {
     same(shown_mm(&format!("{LINE} {SOLID}")), 40.0 + EDGE_MM);
     same(shown_mm(&format!("{SOLID} {LINE}")), 60.0 + EDGE_MM);
     let trace = SOLID.replace("SOLID", "TRACE");
@@ -46,7 +46,7 @@ fn a_line_under_a_solid_is_cut_and_one_upon_it_is_not() {
 }
 
 #[test]
-fn without_hiding_all_of_it_is_drawn() {
+fn without_hiding_everything_is_drawn() {
     let (artwork, _) = draw(&format!("{LINE} {SOLID}"));
     same(length_mm(&artwork), 60.0 + EDGE_MM);
 }
@@ -69,7 +69,7 @@ fn the_outline_of_a_filled_shape_shows_whether_it_was_drawn_before_or_after() {
 }
 
 #[test]
-fn a_filled_hatch_hides_and_its_island_shows_what_lies_under_it() {
+fn a_filled_hatch_hides_and_its_island_shows_the_shapes_below() {
     let hatch = |solid: &str| {
         format!(
             "{LINE} 0 HATCH 2 X 70 {solid} 71 0 91 2
@@ -84,7 +84,7 @@ fn a_filled_hatch_hides_and_its_island_shows_what_lies_under_it() {
 }
 
 #[test]
-fn what_is_seen_through_hides_nothing() {
+fn a_transparent_object_hides_nothing() {
     let faint = SOLID.replace("SOLID", &format!("SOLID 440 {}", 0x0200_007f));
     same(shown_mm(&format!("{LINE} {faint}")), 60.0 + EDGE_MM);
     let opaque = SOLID.replace("SOLID", &format!("SOLID 440 {}", 0x0200_00ff));
@@ -92,7 +92,7 @@ fn what_is_seen_through_hides_nothing() {
 }
 
 #[test]
-fn what_lies_on_a_layer_that_is_seen_through_hides_nothing_unless_it_is_opaque_itself() {
+fn an_object_on_a_transparent_layer_hides_nothing_unless_it_is_opaque_itself() {
     let tables = |transparency: u32| {
         format!(
             "0 LAYER 2 glass 70 0 62 1 1001 ACAD 1071 33554559
@@ -113,7 +113,7 @@ fn what_lies_on_a_layer_that_is_seen_through_hides_nothing_unless_it_is_opaque_i
 }
 
 #[test]
-fn what_is_as_transparent_as_its_block_hides_what_lies_under_it_where_the_block_is_opaque() {
+fn an_object_with_the_transparency_of_its_block_hides_if_the_block_is_opaque() {
     let solid = SOLID.replace("SOLID", &format!("SOLID 440 {}", 0x0100_0000));
     let inner = format!("0 BLOCK 2 INNER 10 0 20 0 {solid} 0 ENDBLK");
     let outer = |more: &str| {
@@ -179,8 +179,8 @@ fn a_wipeout_hides_and_is_not_drawn_itself() {
 }
 
 #[test]
-fn an_inverted_wipeout_covers_what_lies_outside_its_corners() {
-    // The picture reaches from 20 to 40, and what is left open of it from 25 to 35.
+fn an_inverted_wipeout_covers_everything_outside_its_corners() {
+    // The picture reaches from 20 to 40, and its opening from 25 to 35.
     let wipeout = "0 WIPEOUT 10 20 20 -5 11 20 21 0 12 0 22 20 13 1 23 1 71 1 91 2 14 -0.25 24 -0.25 14 0.25 24 0.25";
     same(shown_mm(&format!("{LINE} {wipeout} 290 0")), 50.0);
     same(shown_mm(&format!("{LINE} {wipeout} 290 1")), 50.0);
@@ -209,23 +209,23 @@ fn ordered(places: &str, in_block: bool) -> Artwork {
 }
 
 #[test]
-fn entities_hide_each_other_in_the_order_that_the_file_states() {
+fn entities_hide_each_other_in_the_order_given_by_the_file() {
     for in_block in [false, true] {
         let length_mm = |places: &str| length_mm(&ordered(places, in_block));
-        // As they stand: over the line, under the polyline.
+        // As they are: over the line, under the polyline.
         same(length_mm(""), 40.0 + 60.0 + EDGE_MM);
         // To the back, by a handle that comes before all others.
         same(length_mm("331 A2 5 1"), 60.0 + 60.0 + EDGE_MM);
         // To the front; the parts of the polyline stay with it.
         same(length_mm("331 A2 5 FF"), 40.0 + 40.0 + EDGE_MM);
         same(length_mm("331 A2 5 A3 331 A3 5 A2"), 40.0 + 40.0 + EDGE_MM);
-        // Of what is not in the drawing nothing changes.
+        // Objects that are not in the drawing change nothing.
         same(length_mm("331 DD 5 1"), 40.0 + 60.0 + EDGE_MM);
     }
 }
 
 #[test]
-fn a_handle_that_is_none_is_refused() {
+fn an_invalid_handle_is_refused() {
     let table = "0 SORTENTSTABLE 5 B1 331 A2 5 xyz";
     let text = with_objects("", LINE, table);
     let hides = ReadOptions {
@@ -238,7 +238,7 @@ fn a_handle_that_is_none_is_refused() {
 }
 
 #[test]
-fn what_a_clipped_block_hides_lies_in_its_clip() {
+fn a_clipped_block_hides_only_within_its_clip() {
     let blocks = format!("0 BLOCK 2 a {SOLID} 0 ENDBLK");
     let line = "0 LINE 10 100 20 5 11 160 21 5";
     let insert = "0 INSERT 5 1F 102 {ACAD_XDICTIONARY 360 D1 102 } 2 a 10 100 20 0";

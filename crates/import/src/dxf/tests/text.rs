@@ -29,8 +29,8 @@ fn letters_in_parts_are_written_as_those_in_one() {
 }
 
 #[test]
-fn a_text_stands_on_its_base_line_where_it_is_justified() {
-    // H is 14 wide at a height of 21, the next letter stands 22 farther.
+fn a_text_is_placed_on_its_base_line_at_its_justification() {
+    // H is 14 wide at a height of 21, the next letter is 22 farther.
     for (groups, wanted) in [
         ("1 H", [100.0, 200.0, 114.0, 221.0]),
         ("1 HH", [100.0, 200.0, 136.0, 221.0]),
@@ -74,7 +74,7 @@ fn a_text_stands_on_its_base_line_where_it_is_justified() {
 }
 
 #[test]
-fn paragraphs_lie_about_their_point() {
+fn paragraphs_are_aligned_at_their_point() {
     for (groups, wanted) in [
         ("1 H", [100.0, 179.0, 114.0, 200.0]),
         ("1 H 71 1", [100.0, 179.0, 114.0, 200.0]),
@@ -118,7 +118,7 @@ fn paragraphs_lie_about_their_point() {
         ("1 HH_H 41 1", [100.0, 144.0, 136.0, 200.0]),
         ("3 H_ 1 H", [100.0, 179.0, 152.0, 200.0]),
         ("1 H 101 Embedded 1 H", [100.0, 179.0, 114.0, 200.0]),
-        // Newer programs repeat the point there, where a direction would stand.
+        // Newer programs repeat the point there, where a direction would be.
         (
             "1 H 71 7 50 90 101 Embedded 70 1 10 1 20 0 11 100 21 200 40 0 71 9",
             [79.0, 200.0, 100.0, 214.0],
@@ -130,7 +130,7 @@ fn paragraphs_lie_about_their_point() {
 }
 
 #[test]
-fn attributes_are_drawn_where_they_are_seen() {
+fn attributes_are_drawn_where_they_are_visible() {
     let definition = "0 ATTDEF 10 100 20 200 40 21 1 HH 2 H";
     // Among the entities a definition shows its tag.
     assert_eq!(written("", definition), [100.0, 200.0, 114.0, 221.0]);

@@ -1,13 +1,13 @@
 use super::*;
 
 #[test]
-fn a_mill_draws_where_it_is_down_although_its_spindle_turns_on_the_way() {
+fn a_mill_draws_while_it_is_down_even_if_its_spindle_turns_during_travel() {
     let text = "M3 S10000\nG0 Z5\nG0 X1 Y1\nG1 Z-1\nG1 X4\nG1 Z2\nG1 X9\nG0 Z5\nG0 X0 Y0\nM5";
     assert_eq!(corners(text), [[(0.0, 0.0), (3.0, 0.0)]]);
 }
 
 #[test]
-fn a_spindle_that_turns_while_z_goes_up_and_down_is_no_laser() {
+fn a_spindle_that_turns_while_z_moves_up_and_down_is_not_a_laser() {
     let by_g1 = "G21 G90\nM3 S1000\nG0 Z5\nG0 X5 Y5\nG1 Z-1 F100\nG1 X10\nG1 Z5\nG1 X20\nG1 Z-1\nG1 X30\nG0 Z5\nM5";
     assert_eq!(
         corners(by_g1),
@@ -25,7 +25,7 @@ fn a_spindle_that_turns_while_z_goes_up_and_down_is_no_laser() {
 }
 
 #[test]
-fn a_laser_that_is_off_on_the_way_is_one_although_its_z_moves_and_this_is_reported() {
+fn a_tool_that_is_off_during_travel_is_a_laser_even_if_its_z_moves_and_this_is_reported() {
     let switched = "M3 S255\nG0 X0 Z5\nG1 Z0\nG1 X4\nM5\nG1 Z1\nG1 X6\nM3\nG1 Z-1\nG1 X9\nG0 X0";
     assert_eq!(
         corners(switched),
@@ -39,7 +39,7 @@ fn a_laser_that_is_off_on_the_way_is_one_although_its_z_moves_and_this_is_report
 }
 
 #[test]
-fn shallow_cuts_are_drawn_where_only_moves_along_z_go_above_zero() {
+fn shallow_cuts_are_drawn_if_only_moves_along_z_go_above_zero() {
     let text = "G21 G90\nG0 X0 Y0\nG0 Z15\nG1 Z-1 F100\nX20\nZ-0.5\nX40\nZ-1\nX60\nZ15";
     assert_eq!(
         corners(text),
@@ -63,7 +63,7 @@ fn shallow_cuts_are_drawn_where_only_moves_along_z_go_above_zero() {
 }
 
 #[test]
-fn lines_at_zero_beside_others_below_are_drawn_where_the_tool_comes_down_to_them_or_reported() {
+fn lines_at_zero_among_lower_ones_are_drawn_if_the_tool_comes_down_to_them_or_else_reported() {
     let pen = "G0 Z5\nX10 Y10\nG1 Z0\nX20\nZ-0.2\nX30\nG0 Z5\nX60\nG1 Z0\nX70\nG0 Z5";
     let message = |text: &str| draw(text).1.concat();
     for text in [
@@ -97,7 +97,7 @@ fn lines_at_zero_beside_others_below_are_drawn_where_the_tool_comes_down_to_them
 }
 
 #[test]
-fn a_spindle_that_is_off_between_operations_is_none_the_less_one_if_it_turns_on_its_way_down() {
+fn a_spindle_that_is_off_between_operations_is_still_one_if_it_turns_while_plunging() {
     let operation = |y: u32| {
         format!(
             "M3 S9000\nG0 X0 Y{y}\nG0 Z0\nG1 Z-1 F100\nG1 X10\nG0 Z0\nG0 X20\nG1 Z-1\nG1 X30\nG0 Z5\nM5\n"
@@ -124,7 +124,7 @@ fn a_spindle_that_is_off_between_operations_is_none_the_less_one_if_it_turns_on_
 }
 
 #[test]
-fn a_pen_is_down_where_z_is_high_if_all_travels_lie_below_the_lines() {
+fn a_pen_is_down_at_high_z_if_all_travels_are_below_the_lines() {
     let text = "G21 G90\nG1 Z0.5 F5000\nG0 X10 Y10\nG1 Z5\nG1 X40\nG1 Z0.5\nG0 X60 Y40\nG1 Z5\nG1 X80\nG1 Z0.5\nG0 X0 Y0";
     let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
     assert_eq!(corners(text), lines);
@@ -133,7 +133,7 @@ fn a_pen_is_down_where_z_is_high_if_all_travels_lie_below_the_lines() {
     // The way home may be lower.
     let home = format!("G28\n{text}\nG1 Z0\nG1 X-9");
     assert_eq!(corners(&home), lines);
-    // One travel at the start says nothing where there are travels by G1 above.
+    // One travel at the start proves nothing if there are travels by G1 above.
     let by_g1 =
         "G0 Z0\nG0 X1\nG1 Z5\nG1 X10 Y10\nG1 Z1\nG1 X40\nG1 Z5\nG1 X60 Y40\nG1 Z1\nG1 X80\nG1 Z5";
     assert!(!draw_by_pen(by_g1).1.concat().contains("above"));

@@ -12,7 +12,7 @@ const HOLES: &str = "G21\nG90\nG00 S7000\nG00 Z25\nM5\nM3\nG0 Z1\nG04 P1\nG1 F50
 const NEVER: &str = "nothing to draw: the laser has no power in any line (M3, M4 or M106, and S above 0 if the file uses S)";
 
 #[test]
-fn m5_and_m107_are_off_for_a_laser_even_where_the_first_line_is_on() {
+fn m5_and_m107_mean_off_for_a_laser_even_if_the_first_line_is_on() {
     let lines = [[(0.0, 0.0), (10.0, 0.0)], [(20.0, 0.0), (30.0, 0.0)]];
     let fan = SWITCHED.replace("M3", "M106").replace("M5", "M107");
     for text in [SWITCHED, &fan] {
@@ -33,7 +33,7 @@ fn m5_and_m107_are_off_for_a_laser_even_where_the_first_line_is_on() {
 fn a_laser_without_power_burns_nothing_and_this_is_reported() {
     assert_eq!(error(DRY_RUN), NEVER);
     assert!(error(POWERS_WHILE_OFF).starts_with(NEVER));
-    // S0 in a line of its own, beside a move, of a fan, and where Z lifts a pen.
+    // S0 in its own line, in a move, for a fan, and where Z lifts a pen.
     for text in [
         "M3\nS0\nG1 X10\nM5",
         "M3\nG1 X10 S0\nX20\nM5",
@@ -45,7 +45,7 @@ fn a_laser_without_power_burns_nothing_and_this_is_reported() {
 }
 
 #[test]
-fn power_holds_from_the_line_on_that_states_it_and_no_earlier() {
+fn power_applies_from_the_line_that_sets_it() {
     assert_eq!(
         corners("M3\nG1 X10\nS0\nG1 X20\nS9\nG1 X30\nM5"),
         [[(0.0, 0.0), (10.0, 0.0)]]
@@ -88,7 +88,7 @@ fn a_dwell_before_the_first_line_or_above_all_lines_burns_no_dot() {
 }
 
 #[test]
-fn a_laser_that_comes_down_in_the_end_burns_its_lines() {
+fn a_laser_that_moves_down_at_the_end_burns_its_lines() {
     let text = "G0 Z0\nM3 S255\nG0 X1\nG1 X11\nG1 Z-2\nM5";
     assert_eq!(corners(text), [[(0.0, 0.0), (10.0, 0.0)]]);
 }
@@ -128,7 +128,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(10_000))]
 
     #[test]
-    fn nothing_is_burned_while_the_file_says_off(text in program(Words::ANY)) {
+    fn nothing_is_burned_while_the_file_switches_the_laser_off(text in program(Words::ANY)) {
         let reference = Reference::read(&text);
         let strokes = burned(&text);
         for stroke in &strokes {
@@ -151,7 +151,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
-    fn all_is_burned_while_a_file_for_a_laser_says_on(text in program(Words::OF_LASER)) {
+    fn everything_is_burned_while_a_file_for_a_laser_switches_it_on(text in program(Words::OF_LASER)) {
         let (found, lit) = (length_mm(&burned(&text)), Reference::read(&text).length_mm());
         prop_assert!((found - lit).abs() <= lit * 0.01 + 1e-6, "{found} mm of {lit} mm of\n{text}");
     }

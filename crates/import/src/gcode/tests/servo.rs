@@ -12,7 +12,7 @@ fn a_servo_is_up_as_in_the_first_move() {
 }
 
 #[test]
-fn a_servo_is_up_as_in_g0_where_the_file_begins_with_a_move() {
+fn a_servo_is_up_as_in_g0_if_the_file_begins_with_a_move() {
     let text = "G0 X10 Y10\nM280 P0 S30\nG1 X40 Y10\nM280 P0 S90\nG0 X60 Y40\nM280 P0 S30\nG1 X80 Y40\nM280 P0 S90";
     let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
     assert_eq!(corners(text), lines);
@@ -43,7 +43,7 @@ fn m300_turns_the_servo_of_a_pen_whose_larger_angle_is_up() {
     assert_eq!(corners(text), lines);
     let up = |reason: &str| format!("1 pen lifted by a servo (M300): S50 read as pen up, {reason}");
     assert_eq!(draw(text).1, [up("because it is the largest angle")]);
-    // As Inkscape's extension writes it: the pen is tried first, and Z says nothing.
+    // As Inkscape's extension writes it: the pen is tried first, and Z has no effect.
     let tried = "G92 X0 Y0 Z0\nM300 S30 (pen down)\nG4 P150\nM300 S50 (pen up)\nG4 P150\n"
         .to_owned()
         + text;
@@ -59,14 +59,14 @@ fn m300_turns_the_servo_of_a_pen_whose_larger_angle_is_up() {
 }
 
 #[test]
-fn a_beep_is_no_servo() {
+fn a_beep_is_not_a_servo() {
     let text = "M300 S440 P200\nM300\nM300 S100 P50\nG0 X1\nG1 X5\nM300 S30 P50\nG1 Y5";
     assert_eq!(corners(text), [[(0.0, 5.0), (4.0, 5.0), (4.0, 0.0)]]);
     assert_eq!(draw(text).1[0], "1:1: 4 M300 codes: unknown, left out");
 }
 
 #[test]
-fn m3_turns_the_servo_of_a_pen_where_two_angles_hold_in_all_moves_and_the_program_waits() {
+fn m3_turns_the_servo_of_a_pen_if_all_moves_use_two_angles_and_the_program_waits() {
     let text = "G21 G90\nM3 S90\nG4 P0.2\nG1 X10 Y10 F3000\nM3 S30\nG4 P0.2\nG1 X40 F1000\nM3 S90\nG4 P0.2\nG1 X60 Y40 F3000\nM3 S30\nG4 P0.2\nG1 X80 F1000\nM3 S90\nG4 P0.2\nG1 X0 Y0\nM5\nG0 X5";
     let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
     assert_eq!(corners(text), lines);
@@ -90,7 +90,7 @@ fn m3_turns_the_servo_of_a_pen_where_two_angles_hold_in_all_moves_and_the_progra
 }
 
 #[test]
-fn m3_is_the_power_of_a_laser_that_goes_off_on_its_way_or_is_set_beside_the_moves() {
+fn m3_is_the_power_of_a_laser_that_is_off_during_travel_or_is_set_in_the_moves() {
     let lines = "M3 S90\nG4 P1\nG1 X9\nM3 S30\nG4 P1\nG1 X19\nM3 S90\nG4 P1\nG1 X29\nM5";
     let off_between = lines.replace("G1 X19", "M5\nG0 X12\nM3 S30\nG4 P1\nG1 X19");
     let hasty = lines.replace("G4 P1\n", "");
@@ -124,7 +124,7 @@ fn a_servo_may_be_down_at_zero_if_it_is_up_in_all_of_g0() {
 }
 
 #[test]
-fn m3_and_m5_switch_what_draws_where_no_power_is_reported_and_the_first_way_is_off() {
+fn m3_and_m5_switch_the_tool_if_no_power_is_given_and_the_first_travel_is_off() {
     let text = "G21\nG1 X10 Y10 F900\nM3\nG1 X40\nM5\nG1 X60 Y40\nM3\nG1 X80\nM5\nG1 X0 Y0";
     let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
     assert_eq!(corners(text), lines);

@@ -6,14 +6,14 @@ use proptest::prelude::*;
 use super::*;
 use crate::source::tests::sides_from_dot;
 
-/// A dot at the origin, then what is written; left, bottom, right and top of that, in millimetres
+/// A dot at the origin, then the label; left, bottom, right and top of that, in millimetres
 /// from the dot, y up.
 fn written(text: &str) -> [f64; 4] {
     sides_from_dot(&strokes(&format!("IN;SP1;PD;PU;{text}")))
 }
 
 #[test]
-fn a_label_stands_on_its_base_line_as_large_as_said() {
+fn a_label_is_placed_on_its_base_line_in_the_given_size() {
     // H is as wide as a character, and as tall.
     for (text, wanted) in [
         ("PU400,800;LBH\x03", [10.0, 20.0, 11.87, 22.69]),
@@ -70,7 +70,7 @@ fn a_label_runs_in_its_direction() {
 }
 
 #[test]
-fn the_pen_goes_on_by_cells_and_lines() {
+fn the_pen_advances_by_cells_and_lines() {
     // A cell is 4.5 mm wide, a line 10 mm high.
     for (text, [left, bottom]) in [
         ("LB H\x03", [14.5, 20.0]),
@@ -104,13 +104,13 @@ fn the_pen_goes_on_by_cells_and_lines() {
             "{text:?}"
         );
     }
-    // A line goes on from the next cell.
+    // A line continues from the next cell.
     let text = "PU400,800;SI.3,.5;PD;LBH\x03PR40,0;";
     assert_eq!(corners(text).last().unwrap(), &[(4.5, 5.0), (5.5, 5.0)]);
 }
 
 #[test]
-fn a_label_lies_about_its_origin() {
+fn a_label_is_aligned_at_its_origin() {
     for (origin, [left, bottom]) in [
         (1, [10.0, 20.0]),
         (2, [10.0, 17.5]),
@@ -153,7 +153,7 @@ fn labels_are_in_roman_8_or_utf_8() {
 }
 
 #[test]
-fn what_labels_lack_is_named() {
+fn characters_missing_from_labels_are_named() {
     let text = "SI.3,.5;SD1,21,2,1;CS33;DV1;TD1;LO21;PD40,0;";
     assert_eq!(draw(text).1, [""; 0]);
     let (_, warnings) = draw(&format!(

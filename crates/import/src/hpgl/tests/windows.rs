@@ -1,7 +1,7 @@
 use super::*;
 
 #[test]
-fn what_lies_outside_of_a_window_is_cut_off_until_it_is_taken_away() {
+fn everything_outside_a_window_is_cut_off_until_it_is_removed() {
     let line = "PU0,0;PD4000,0;PU;";
     let found = |text: &str| spans(&format!("PU0,0;PD0,4;PU{text}"));
     let all = [0.0, 10_000.0];

@@ -133,7 +133,7 @@ fn wrong_shapes_are_refused_with_their_place() {
 }
 
 #[test]
-fn what_is_no_project_is_refused_with_its_place() {
+fn an_invalid_project_is_refused_with_its_place() {
     refused("", &["not well-formed XML"]);
     refused("<LightBurnProject>", &["not well-formed XML"]);
     refused(
@@ -202,7 +202,7 @@ fn a_long_list_that_many_paths_share_is_read_once_and_many_points_are_refused() 
 }
 
 #[test]
-fn more_elements_than_anybody_draws_are_refused() {
+fn too_many_elements_are_refused() {
     let text = project(&"<V/>".repeat(2_000_001));
     refused(
         &text,
@@ -211,7 +211,7 @@ fn more_elements_than_anybody_draws_are_refused() {
 }
 
 #[test]
-fn a_huge_picture_is_left_out_quickly() {
+fn a_huge_picture_is_skipped_quickly() {
     let data = "A".repeat(20_000_000);
     let picture = shape(&format!("Type=\"Bitmap\" Data=\"{data}\""), HERE, "");
     let (artwork, _) = read_text(&project(
@@ -232,7 +232,7 @@ Value="byGroup"/></CutSetting><CutSetting type="Cut"><index Value="1"/><name Val
 
 proptest! {
     #[test]
-    fn a_project_that_is_cut_or_damaged_anywhere_gives_a_drawing_or_an_error_of_one_line(
+    fn a_truncated_or_damaged_project_gives_a_drawing_or_an_error_of_one_line(
         at in 0..PROJECT.len(),
         length in 0..40_usize,
         other in prop::sample::select(vec![

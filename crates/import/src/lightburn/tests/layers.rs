@@ -12,7 +12,7 @@ fn rings(artwork: &Artwork) -> Vec<usize> {
 }
 
 #[test]
-fn layers_have_their_names_and_colours_and_come_as_the_laser_runs_them() {
+fn layers_have_their_names_and_colours_in_the_order_of_the_laser() {
     let named = |index: u32, name: &str, priority: u32| {
         let more = format!("<priority Value=\"{priority}\"/>");
         let named = cut(index, "Cut", &more);
@@ -35,7 +35,7 @@ fn layers_have_their_names_and_colours_and_come_as_the_laser_runs_them() {
 }
 
 #[test]
-fn what_a_fill_layer_holds_is_an_area_and_one_shape_in_another_is_a_hole() {
+fn a_shape_of_a_fill_layer_is_an_area_and_a_shape_inside_it_is_a_hole() {
     let shapes = square(0, 9.0, 0.0) + &square(0, 3.0, 0.0);
     let with = |mode: &str, more: &str| read_text(&project(&(cut(0, mode, more) + &shapes))).0;
     assert_eq!(rings(&with("Cut", "")), [0; 0]);
@@ -51,7 +51,7 @@ fn what_a_fill_layer_holds_is_an_area_and_one_shape_in_another_is_a_hole() {
 }
 
 #[test]
-fn groups_are_filled_together_where_the_layer_says_so() {
+fn groups_are_filled_together_if_the_layer_says_so() {
     let pair = |x: f64| {
         let both = square(0, 9.0, x) + &square(0, 3.0, x);
         shape(
@@ -81,7 +81,7 @@ fn an_open_line_of_a_fill_layer_is_a_line() {
 }
 
 #[test]
-fn what_a_laser_would_not_burn_is_left_out_and_reported() {
+fn objects_that_a_laser_would_not_burn_are_skipped_and_reported() {
     let cuts = cut(0, "Cut", "")
         + &cut(3, "Cut", "<doOutput Value=\"0\"/>")
         + &cut(4, "Cut", "<hide Value=\"1\"/>")
@@ -106,7 +106,7 @@ fn what_a_laser_would_not_burn_is_left_out_and_reported() {
 }
 
 #[test]
-fn where_nothing_is_output_the_error_says_why() {
+fn if_nothing_is_output_the_error_gives_the_reason() {
     let text = project(&(cut(2, "Cut", "<doOutput Value=\"0\"/>") + &square(2, 9.0, 0.0)));
     let error = error(&text);
     let begin = "nothing to draw: no shapes that are output; ";

@@ -5,7 +5,7 @@ fn path(lists: &str) -> String {
 }
 
 #[test]
-fn both_formats_state_the_same_path() {
+fn both_formats_describe_the_same_path() {
     // A quarter of a circle, and a line back to where it begins.
     let k = 5.522_847_498;
     let new = format!(
@@ -21,7 +21,7 @@ fn both_formats_state_the_same_path() {
 }
 
 #[test]
-fn a_curve_without_its_pulls_is_straight() {
+fn a_curve_without_control_points_is_straight() {
     // A single c0x1 means no control point.
     let artwork = draw(&path(
         "<VertList>V0 0c0x1c1x1V9 0c0x1c1x1</VertList><PrimList>B0 1</PrimList>",
@@ -45,7 +45,7 @@ fn the_keywords_join_all_points_in_order() {
 }
 
 #[test]
-fn pieces_that_do_not_meet_are_strokes_of_their_own() {
+fn pieces_that_do_not_meet_are_separate_strokes() {
     let lists = "<VertList>V0 0V1 0V1 1V5 5V6 5</VertList><PrimList>L0 1L1 2L2 0L3 4</PrimList>";
     let artwork = draw(&path(lists));
     let counts: Vec<usize> = strokes(&artwork)
@@ -56,7 +56,7 @@ fn pieces_that_do_not_meet_are_strokes_of_their_own() {
 }
 
 #[test]
-fn a_list_that_another_path_has_is_found_by_its_number_wherever_it_stands() {
+fn a_list_of_another_path_is_found_by_its_number_at_any_place() {
     let of = |frame: &str, lists: &str| {
         shape(
             "Type=\"Path\" CutIndex=\"0\" VertID=\"7\" PrimID=\"3\"",
@@ -93,7 +93,7 @@ fn a_path_without_lines_is_reported() {
 
 proptest! {
     #[test]
-    fn a_polyline_comes_back_point_by_point(
+    fn a_polyline_is_restored_point_by_point(
         points in proptest::collection::vec((-999.0..999.0_f64, -999.0..999.0_f64), 2..40),
     ) {
         let list: Vec<String> = points.iter().map(|(x, y)| format!("V{x} {y}c0x1c1x1")).collect();

@@ -102,7 +102,7 @@ fn a_line_keeps_off_itself_as_its_tone_asks() {
 }
 
 #[test]
-fn white_stays_empty_and_ink_rises_with_darkness_as_far_as_asked() {
+fn white_stays_empty_and_ink_grows_with_darkness_up_to_the_request() {
     let mut ink_mm = [0.0; 6];
     for (a, b) in drawn(&page(stair)).iter().flat_map(Stroke::segments) {
         let middle = a.lerp(b, 0.5);

@@ -11,7 +11,7 @@ fn with_root(attributes: &str) -> (Drawing, Vec<Warning>) {
 }
 
 #[test]
-fn a_size_of_the_page_that_browsers_ignore_is_reported_and_the_view_box_decides() {
+fn a_page_size_that_browsers_ignore_is_reported_and_the_view_box_applies() {
     for size in [
         "200 mm",
         "",
@@ -56,7 +56,7 @@ fn a_length_with_blanks_around_it_is_read() {
 }
 
 #[test]
-fn a_marker_looks_along_the_other_handle_where_one_lies_on_its_end() {
+fn a_marker_points_along_the_other_handle_if_one_coincides_with_its_end() {
     let marker = |d: &str, which: &str| {
         let ends = ends(&format!(
             r#"<marker id="m" orient="auto" markerUnits="userSpaceOnUse" markerWidth="9" markerHeight="9" overflow="visible">
@@ -107,7 +107,7 @@ fn ink(content: &str, options: &ReadOptions) -> dobot_geometry::Rect {
 }
 
 #[test]
-fn a_part_of_a_text_that_is_not_displayed_is_left_out_with_what_is_nested_in_it() {
+fn a_hidden_part_of_a_text_is_skipped_with_its_contents() {
     let Some(options) = with_fonts() else {
         return; // A machine without fonts cannot show this.
     };
@@ -124,7 +124,7 @@ fn a_part_of_a_text_that_is_not_displayed_is_left_out_with_what_is_nested_in_it(
 }
 
 #[test]
-fn a_text_from_right_to_left_begins_at_its_right_end() {
+fn a_text_from_right_to_left_starts_at_its_right_end() {
     let Some(options) = with_fonts() else {
         return; // A machine without fonts cannot show this.
     };
@@ -145,7 +145,7 @@ fn a_text_from_right_to_left_begins_at_its_right_end() {
 }
 
 #[test]
-fn rules_mean_elements_by_parts_of_their_attributes_and_by_their_places() {
+fn rules_select_elements_by_parts_of_their_attributes_and_by_their_positions() {
     for selector in [
         "[id^='hidden-']",
         "path[id$=two]",
@@ -162,7 +162,7 @@ fn rules_mean_elements_by_parts_of_their_attributes_and_by_their_places() {
         ));
         assert_eq!(lines, LINE, "{selector}");
     }
-    // A mark counts as much as what it stands for.
+    // A reference counts as much as its target.
     let lines = ends(
         r#"<style>path[id^=a]{display:inline} path{display:none}</style>
         <path id="a" d="M10 10H90" stroke="red"/>"#,

@@ -14,7 +14,7 @@ fn length_mm(strokes: &[Stroke]) -> f64 {
 }
 
 #[test]
-fn a_line_under_a_filled_shape_is_cut_and_one_upon_it_is_not() {
+fn a_line_under_a_filled_shape_is_cut_and_one_above_it_is_not() {
     let line = r#"<path d="M0 10H60" stroke="red"/>"#;
     let square = r#"<rect x="20" y="0" width="20" height="20" fill="blue"/>"#;
     let (strokes, _) = hidden(&format!("{line}{square}"));
@@ -35,7 +35,7 @@ fn a_white_shape_hides_and_is_not_drawn_itself() {
 }
 
 #[test]
-fn the_line_of_a_shape_lies_upon_its_own_fill() {
+fn the_outline_of_a_shape_is_above_its_own_fill() {
     let (strokes, _) =
         hidden(r#"<rect x="10" y="10" width="10" height="10" fill="white" stroke="black"/>"#);
     assert_eq!(strokes.len(), 1);
@@ -43,7 +43,7 @@ fn the_line_of_a_shape_lies_upon_its_own_fill() {
 }
 
 #[test]
-fn a_hole_shows_what_lies_under_it() {
+fn a_hole_shows_the_shapes_below() {
     let rings = "M20 0H50V30H20ZM30 5H40V25H30Z";
     for (rule, shown_mm) in [("evenodd", 40.0), ("nonzero", 30.0)] {
         let (strokes, _) = hidden(&format!(
@@ -54,7 +54,7 @@ fn a_hole_shows_what_lies_under_it() {
 }
 
 #[test]
-fn what_is_seen_through_hides_nothing() {
+fn a_transparent_shape_hides_nothing() {
     for faint in [
         r#"fill-opacity="0.5""#,
         r#"opacity="0.9""#,
@@ -71,7 +71,7 @@ fn what_is_seen_through_hides_nothing() {
 }
 
 #[test]
-fn a_clipped_shape_hides_no_more_than_shows_of_it() {
+fn a_clipped_shape_hides_only_where_it_is_visible() {
     let (strokes, _) = hidden(
         r##"<clipPath id="c"><rect x="0" y="0" width="30" height="50"/></clipPath>
         <path d="M0 10H60" stroke="red"/>
@@ -105,7 +105,7 @@ fn the_hidden_part_of_an_area_is_not_hatched() {
 }
 
 #[test]
-fn where_too_many_shapes_lie_over_each_other_all_is_drawn_and_reported() {
+fn if_too_many_shapes_overlap_all_are_drawn_and_this_is_reported() {
     let shapes = 3000_u32;
     let mut svg = String::new();
     for i in 0..shapes {
@@ -128,7 +128,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn what_shows_is_what_no_later_shape_covers(
+    fn the_visible_parts_are_those_that_no_later_shape_covers(
         squares in proptest::collection::vec((0_u32..30, 0_u32..30, 1_u32..20, 1_u32..20), 1..12),
     ) {
         // Edges of all squares lie on different lines, so that none is along another.
@@ -169,7 +169,7 @@ proptest! {
 }
 
 #[test]
-fn what_shines_through_hides_nothing() {
+fn a_translucent_fill_hides_nothing() {
     let see_through = r#"<linearGradient id="g"><stop stop-opacity=".5"/><stop offset="1" stop-opacity="0"/></linearGradient>
         <pattern id="p" width="4" height="4" patternUnits="userSpaceOnUse"><circle r="1"/></pattern>"#;
     for over in [

@@ -52,7 +52,7 @@ fn colours_become_layers_in_the_order_of_their_first_shape() {
 }
 
 #[test]
-fn a_fill_gives_an_area_of_its_own_colour_beside_the_outline() {
+fn a_fill_gives_an_area_of_its_own_colour_in_addition_to_the_outline() {
     let (layers, _) = read_by(
         LayersBy::Color,
         r#"<rect x="5" y="5" width="10" height="4" fill="gold" stroke="black"/>
@@ -64,7 +64,7 @@ fn a_fill_gives_an_area_of_its_own_colour_beside_the_outline() {
 }
 
 #[test]
-fn white_is_paper_where_it_fills_and_ink_where_it_draws() {
+fn white_is_paper_in_fills_and_ink_in_lines() {
     let (layers, warnings) = read_by(
         LayersBy::Color,
         r##"<rect width="100" height="50" fill="#fff"/>
@@ -90,7 +90,7 @@ fn a_line_that_encloses_nothing_has_no_area() {
 }
 
 #[test]
-fn the_fill_rule_comes_along() {
+fn the_fill_rule_is_kept() {
     let path = "M0 0H9V9H0ZM3 3H6V6H3Z";
     let (layers, _) = read_by(
         LayersBy::Nothing,
@@ -179,7 +179,7 @@ fn groups_are_found_in_files_that_only_a_full_reader_understands() {
 }
 
 #[test]
-fn one_layer_holds_all_where_nothing_divides() {
+fn a_single_layer_holds_everything_if_nothing_divides_it() {
     let (layers, _) = read_by(
         LayersBy::Nothing,
         r#"<g><path d="M0 0H5" stroke="red"/></g><path d="M0 0H5" stroke="blue"/>"#,
@@ -200,7 +200,7 @@ fn letters_are_areas_too() {
 }
 
 #[test]
-fn a_font_that_is_not_here_is_reported_with_the_one_taken_for_it() {
+fn a_missing_font_is_reported_with_its_replacement() {
     let mut fonts = usvg::fontdb::Database::new();
     fonts.load_system_fonts();
     let first = fonts.faces().next().map(|face| face.families[0].0.clone());
@@ -244,7 +244,7 @@ fn a_font_that_is_not_here_is_reported_with_the_one_taken_for_it() {
 }
 
 #[test]
-fn a_font_that_is_not_here_is_drawn_in_the_kind_of_letters_that_its_name_states() {
+fn a_missing_font_is_replaced_by_one_of_the_kind_that_its_name_states() {
     let mut fonts = usvg::fontdb::Database::new();
     fonts.load_system_fonts();
     let mut names: Vec<_> = fonts
@@ -280,7 +280,7 @@ fn a_font_that_is_not_here_is_drawn_in_the_kind_of_letters_that_its_name_states(
 }
 
 #[test]
-fn areas_are_moved_as_their_shapes_are() {
+fn areas_are_transformed_like_their_shapes() {
     let (layers, _) = read_by(
         LayersBy::Nothing,
         r#"<path transform="translate(10 10) scale(2 -1)" d="M0 0H10V-10H0Z"/>"#,
@@ -289,7 +289,7 @@ fn areas_are_moved_as_their_shapes_are() {
 }
 
 #[test]
-fn the_bundled_drawing_for_three_pens_has_three_layers_either_way() {
+fn the_bundled_drawing_for_three_pens_has_three_layers_with_both_divisions() {
     let text = include_str!("../../../../../examples/drawings/sailing.svg");
     let by = |layers| {
         let options = ReadOptions {
@@ -311,7 +311,7 @@ fn the_bundled_drawing_for_three_pens_has_three_layers_either_way() {
 }
 
 #[test]
-fn a_clipped_fill_that_crosses_itself_without_end_is_drawn_but_not_hatched() {
+fn an_endlessly_self_crossing_clipped_fill_is_drawn_but_not_hatched() {
     let point = |i: i32| {
         let y = 0.006 * f64::from(i);
         let y = if i % 2 == 0 { y } else { 48.0 - y };
@@ -332,7 +332,7 @@ fn a_clipped_fill_that_crosses_itself_without_end_is_drawn_but_not_hatched() {
 }
 
 #[test]
-fn a_clip_path_that_cuts_without_end_is_refused() {
+fn an_endlessly_cutting_clip_path_is_refused() {
     let comb = |point: fn(i32) -> [i32; 2]| {
         let points = (0..2000).map(point).map(|[x, y]| format!("{x} {y}"));
         points.collect::<Vec<_>>().join(" ")
@@ -352,7 +352,7 @@ fn a_clip_path_that_cuts_without_end_is_refused() {
 }
 
 #[test]
-fn hostile_files_are_refused_however_layers_are_made() {
+fn hostile_files_are_refused_with_any_division_into_layers() {
     for layers in [LayersBy::Color, LayersBy::Group, LayersBy::Nothing] {
         let options = ReadOptions {
             layers,

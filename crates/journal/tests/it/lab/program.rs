@@ -19,7 +19,7 @@ pub(crate) fn model(dialect: Dialect) -> Model {
     Model::standing(dialect, ArmPlace::at_pose(pose, Tool::SuctionCup).unwrap())
 }
 
-/// Commands that an arm which stands as [`model`] can do: vectors long and tiny, there and back,
+/// Commands that an arm in the state of [`model`] can execute: vectors long and tiny, there and back,
 /// around, lifts, targets and settings.
 pub(crate) fn commands(dialect: Dialect, most: usize) -> impl Strategy<Value = Vec<Command>> {
     let any = proptest::collection::vec(command(), 1..most);

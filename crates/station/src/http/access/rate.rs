@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn one_address_does_not_use_up_what_another_may_do() {
+    fn one_address_does_not_use_up_the_allowance_of_another() {
         let addresses = Addresses::default();
         let [one, other] = [[192, 168, 0, 1], [192, 168, 0, 2]].map(IpAddr::from);
         while addresses.take(one, Duration::ZERO, 1.0).is_ok() {}
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn all_addresses_of_one_network_of_version_six_count_as_one() {
+    fn all_addresses_of_one_ipv6_network_count_as_one() {
         let addresses = Addresses::default();
         let [one, other] = [1, 2].map(|last| IpAddr::from([0x2001, 0xdb8, 0, 0, 0, 0, 0, last]));
         while addresses.take(one, Duration::ZERO, 1.0).is_ok() {}
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn while_all_known_addresses_are_busy_new_ones_have_to_wait() {
+    fn while_all_known_addresses_are_busy_new_ones_must_wait() {
         let addresses = Addresses::default();
         let mut refused = 0;
         for n in 0..u32::try_from(MOST_ADDRESSES).expect("ten thousand is small") + 5 {

@@ -441,7 +441,7 @@ mod tests {
     }
 
     #[test]
-    fn a_token_is_known_by_its_name_and_role_and_no_other_text_is() {
+    fn a_token_is_recognised_with_its_name_and_role_and_no_other_text_is() {
         let (_folder, mut tokens) = empty();
         let token = tokens.add(Role::Watch, "screen").unwrap();
         let screen = Some(("screen".to_owned(), Role::Watch));
@@ -454,7 +454,7 @@ mod tests {
     }
 
     #[test]
-    fn the_file_and_what_is_printed_for_debugging_do_not_hold_the_secret() {
+    fn neither_the_file_nor_the_debug_output_contains_the_secret() {
         let (folder, mut tokens) = empty();
         let token = tokens.add(Role::Admin, "me").unwrap();
         let local = tokens.make_local().unwrap();
@@ -466,14 +466,14 @@ mod tests {
     }
 
     #[test]
-    fn a_digest_from_the_file_is_no_token() {
+    fn a_digest_from_the_file_is_not_a_token() {
         let (_folder, mut tokens) = empty();
         let token = tokens.add(Role::Admin, "me").unwrap();
         assert_eq!(holder(&mut tokens, &hex(&digest(token.secret()))), None);
     }
 
     #[test]
-    fn what_another_program_adds_and_removes_counts_at_once() {
+    fn tokens_added_and_removed_by_another_program_take_effect_at_once() {
         let (folder, mut station) = empty();
         let mut program = Tokens::open(&folder.path().join("tokens.toml")).unwrap();
         let token = program.add(Role::Control, "plotter").unwrap();
@@ -483,7 +483,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_cannot_be_understood_opens_no_door() {
+    fn a_file_that_cannot_be_parsed_grants_no_access() {
         let (folder, mut station) = empty();
         let token = station.add(Role::Control, "plotter").unwrap();
         fs::write(folder.path().join("tokens.toml"), "token = 7").unwrap();

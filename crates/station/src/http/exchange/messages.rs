@@ -42,7 +42,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_told_with_the_number_if_there_is_one() {
+    fn an_invalid_message_is_answered_with_its_number_if_it_has_one() {
         for (text, id, word) in [
             (
                 r#"{"id": 7, "request": {"type": "fly"}}"#,

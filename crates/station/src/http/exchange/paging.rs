@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn each_page_names_the_next_one_until_all_is_told() {
+    async fn each_page_names_the_next_one_to_the_end() {
         let link = |after: &str| {
             Some(format!(
                 "</api/v1/jobs?limit=2&after={after}>; rel=\"next\""
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn a_page_behind_what_was_forgotten_begins_again() {
+    fn a_page_after_a_deleted_item_asks_the_client_to_start_again() {
         let error = page(Some(2), Some("x"))
             .of(&ALL, |page| (*page).to_owned())
             .unwrap_err();

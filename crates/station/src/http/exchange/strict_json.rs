@@ -306,7 +306,7 @@ mod tests {
     }
 
     #[test]
-    fn reads_what_is_right() {
+    fn reads_correct_json() {
         assert!(matches!(
             read(command("200").as_bytes()).unwrap(),
             Command::MoveTo(target) if target.x_mm == 200.0
@@ -314,14 +314,14 @@ mod tests {
     }
 
     #[test]
-    fn several_stations_of_a_fleet_are_asked_by_their_names() {
+    fn several_stations_of_a_fleet_are_addressed_by_their_names() {
         let named = read::<Recipients>(br#"{"members": ["desk-3", "desk-7"]}"#).unwrap();
         let expected = ["desk-3", "desk-7"].map(String::from).to_vec();
         assert_eq!(named, Recipients::Members(expected));
     }
 
     #[test]
-    fn text_that_is_no_json_is_told_with_its_place() {
+    fn text_that_is_not_json_is_reported_with_its_place() {
         let (status, detail) = detail::<Command>("{\n  \"type\": oops}");
         assert_eq!(
             (status, &*detail),
@@ -339,14 +339,14 @@ mod tests {
     }
 
     #[test]
-    fn a_wrong_type_is_told_with_its_field() {
+    fn a_wrong_type_is_reported_with_its_field() {
         let (status, detail) = detail::<Command>(&command("\"far\""));
         assert_eq!(status, 422);
         assert_eq!(detail, "x_mm: invalid type: string \"far\", expected f32");
     }
 
     #[test]
-    fn the_wrong_one_of_two_equal_values_is_told() {
+    fn the_wrong_one_of_two_equal_values_is_reported() {
         let text = command("200").replace("\"rotation_deg\": 0", "\"rotation_deg\": false");
         let (_, detail) = detail::<Command>(&text);
         assert!(
@@ -356,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn a_field_inside_of_a_list_is_told_with_its_number() {
+    fn a_field_inside_a_list_is_reported_with_its_number() {
         let text = format!(
             r#"{{"title": "a", "kind": "drawing", "commands": [{}, {}]}}"#,
             command("200"),
@@ -370,7 +370,7 @@ mod tests {
     }
 
     #[test]
-    fn fields_that_do_not_exist_are_told_and_not_dropped() {
+    fn unknown_fields_are_reported_and_not_dropped() {
         let text = command("200").replace("\"x_mm\"", "\"x\": 1, \"x_mm\"");
         let (status, text) = detail::<Command>(&text);
         assert_eq!(status, 422);
@@ -383,7 +383,7 @@ mod tests {
     }
 
     #[test]
-    fn a_list_is_not_taken_for_the_fields_of_a_structure() {
+    fn a_list_is_not_accepted_as_the_fields_of_a_structure() {
         for list in [
             r#"["move_to", 200, 0, 50, 0, false, "jump", 0, 0]"#,
             r#"{"type": "voice", "text": ["x"]}"#,
@@ -401,26 +401,26 @@ mod tests {
     }
 
     #[test]
-    fn a_field_that_is_there_twice_is_refused() {
+    fn a_duplicate_field_is_refused() {
         let (status, detail) = detail::<Command>(&command("200, \"x_mm\": 210"));
         assert_eq!(status, 422);
         assert_eq!(detail, "line 1, column 39: duplicate field `x_mm`");
     }
 
     #[test]
-    fn missing_fields_are_told() {
+    fn missing_fields_are_reported() {
         let (status, detail) = detail::<Command>(r#"{"type": "move_to"}"#);
         assert_eq!((status, &*detail), (422, "missing field `x_mm`"));
     }
 
     #[test]
-    fn what_is_nested_without_end_is_no_json_of_ours() {
+    fn endless_nesting_is_refused() {
         let deep = "{\"a\":".repeat(100_000);
         assert_eq!(detail::<Command>(&deep).0, 400);
     }
 
     #[test]
-    fn text_after_the_end_is_told() {
+    fn text_after_the_end_is_reported() {
         assert_eq!(detail::<Command>(&(command("200") + "x")).0, 400);
     }
 }

@@ -185,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn the_time_at_a_step_goes_on_while_the_same_is_told_and_begins_anew_with_the_next_step() {
+    fn the_time_at_a_step_continues_while_the_step_is_the_same_and_restarts_with_the_next_one() {
         let mut learners = Learners::default();
         for (now_s, done) in [(10, 2), (30, 2), (50, 2)] {
             learners
@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn a_student_of_whom_nothing_is_told_is_forgotten_after_a_minute() {
+    fn a_student_without_reports_is_forgotten_after_a_minute() {
         let mut learners = Learners::default();
         learners.report(seconds(0), at_step("Anna", 2)).unwrap();
         learners.report(seconds(30), at_step("Ben", 0)).unwrap();
@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn there_is_room_for_a_class_and_then_for_those_who_are_known() {
+    fn a_full_class_refuses_new_students_and_still_accepts_known_ones() {
         let mut learners = Learners::default();
         for n in 0..MOST {
             learners

@@ -551,7 +551,7 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn plans_are_forgotten_oldest_first_where_they_take_too_much_memory() {
+    async fn the_oldest_plans_are_deleted_first_if_they_use_too_much_memory() {
         let mut kept = Kept::default();
         for (number, megabytes) in [(1, 1), (2, 300), (3, 100), (4, 300)] {
             kept.drawings.insert(number, planned(megabytes << 20));

@@ -178,7 +178,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_machine_cannot_take_all_places() {
+    fn one_machine_cannot_occupy_all_connections() {
         let slots = Arc::new(ConnectionSlots::default());
         let [one, other] = [[10, 0, 0, 1], [10, 0, 0, 2]].map(IpAddr::from);
         let mut taken: Vec<ConnectionSlot> = std::iter::from_fn(|| slots.take(one)).collect();

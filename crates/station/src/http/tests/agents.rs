@@ -36,7 +36,7 @@ async fn from_another_machine_an_agent_needs_a_token() {
 }
 
 #[tokio::test]
-async fn pages_of_other_sites_are_no_agents() {
+async fn pages_of_other_sites_are_refused_as_agents() {
     let harness = Harness::near();
     let strange = says(&harness).header("origin", "http://evil.example");
     greets(&harness, strange)
@@ -55,7 +55,7 @@ async fn pages_of_other_sites_are_no_agents() {
 }
 
 #[tokio::test]
-async fn what_an_agent_says_has_a_largest_size() {
+async fn the_size_of_agent_messages_is_limited() {
     let harness = Harness::near();
     let most = dobot_mcp::HttpAgents::MOST_BYTES;
     let request = says(&harness).body(Body::from(vec![b' '; most + 1]));
@@ -67,7 +67,7 @@ async fn what_an_agent_says_has_a_largest_size() {
 }
 
 #[tokio::test]
-async fn there_are_so_many_sessions_and_one_that_ends_makes_room() {
+async fn the_number_of_sessions_is_limited_and_an_ended_one_makes_room() {
     let harness = Harness::near();
     let first = greets(&harness, says(&harness)).await;
     let mut sessions = 1;
@@ -91,7 +91,7 @@ async fn there_are_so_many_sessions_and_one_that_ends_makes_room() {
 }
 
 #[tokio::test]
-async fn what_is_wrong_with_a_message_is_told_as_everywhere() {
+async fn an_invalid_message_is_answered_as_elsewhere() {
     let harness = Harness::near();
     let refused = harness.json("POST", "/mcp", GREETING).await;
     refused.is(400).is_problem("malformed");

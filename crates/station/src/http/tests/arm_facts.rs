@@ -15,7 +15,7 @@ async fn facts(harness: &Harness, dialect: Option<Dialect>) -> Value {
 }
 
 #[tokio::test]
-async fn the_lengths_and_periods_are_those_by_which_the_station_computes() {
+async fn the_lengths_and_periods_are_those_that_the_station_uses() {
     let facts = facts(&Harness::near(), None).await;
     let lengths = &facts["dimensions"];
     assert_eq!(lengths["rear_arm_mm"], REAR_ARM.0);
@@ -49,7 +49,7 @@ async fn limits_and_lengths_of_tools_follow_the_policy() {
 }
 
 #[tokio::test]
-async fn what_mouse_and_gesture_packets_mean_is_served_once_the_dialect_is_known() {
+async fn the_meaning_of_mouse_and_gesture_packets_is_served_once_the_dialect_is_known() {
     let harness = Harness::near();
     let unknown = facts(&harness, None).await;
     assert_eq!(unknown["dialect"], Value::Null);

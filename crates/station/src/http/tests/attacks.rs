@@ -15,7 +15,7 @@ async fn stop(harness: &Harness, headers: &[(&str, &str)]) -> Answer {
 }
 
 #[tokio::test]
-async fn the_names_and_addresses_of_the_station_lead_to_it_and_no_others_do() {
+async fn the_station_answers_under_its_own_names_and_addresses_only() {
     let harness = Harness::near();
     for host in [
         "127.0.0.1:8642",
@@ -55,7 +55,7 @@ async fn the_names_and_addresses_of_the_station_lead_to_it_and_no_others_do() {
 }
 
 #[tokio::test]
-async fn an_address_in_the_request_line_has_to_agree() {
+async fn an_address_in_the_request_line_must_match() {
     let harness = Harness::near();
     let request = harness
         .request("POST", "http://evil.example/api/v1/stop")
@@ -65,7 +65,7 @@ async fn an_address_in_the_request_line_has_to_agree() {
 }
 
 #[tokio::test]
-async fn pages_of_other_sites_are_kept_out() {
+async fn pages_of_other_sites_are_refused() {
     let harness = Harness::near();
     let host = ("host", "127.0.0.1:8642");
     stop(&harness, &[host, ("origin", "http://127.0.0.1:8642")])
@@ -108,7 +108,7 @@ async fn pages_of_other_sites_are_kept_out() {
 }
 
 #[tokio::test]
-async fn nobody_may_ask_from_another_site_which_methods_there_are() {
+async fn other_sites_cannot_ask_for_the_allowed_methods() {
     let harness = Harness::near();
     let request = harness
         .request("OPTIONS", "/api/v1/stop")
@@ -128,7 +128,7 @@ async fn nobody_may_ask_from_another_site_which_methods_there_are() {
 }
 
 #[tokio::test]
-async fn on_a_network_nothing_goes_without_a_token() {
+async fn on_a_network_nothing_works_without_a_token() {
     let harness = Harness::far();
     for path in [
         "/api/v1/state",
@@ -150,7 +150,7 @@ async fn on_a_network_nothing_goes_without_a_token() {
 }
 
 #[tokio::test]
-async fn a_page_that_is_loaded_ten_times_over_the_network_comes_whole_each_time() {
+async fn a_page_loaded_ten_times_over_the_network_arrives_complete_each_time() {
     let harness = Harness::far();
     for _ in 0..10 {
         for file in dobot_page::FILES {
@@ -160,7 +160,7 @@ async fn a_page_that_is_loaded_ten_times_over_the_network_comes_whole_each_time(
 }
 
 #[tokio::test]
-async fn the_token_tells_the_role() {
+async fn the_token_determines_the_role() {
     let harness = Harness::far();
     for role in Role::ALL {
         let bearer = harness.bearer(role);
@@ -182,7 +182,7 @@ async fn the_token_tells_the_role() {
 }
 
 #[tokio::test]
-async fn wrong_tokens_are_refused_even_where_none_is_needed() {
+async fn wrong_tokens_are_refused_even_if_none_is_needed() {
     for harness in [Harness::near(), Harness::far()] {
         let host = harness.peer.to.to_string();
         for wrong in ["Bearer ", "Bearer 00", "Basic dTpw", "Bearer", "bearer x y"] {
@@ -196,7 +196,7 @@ async fn wrong_tokens_are_refused_even_where_none_is_needed() {
 }
 
 #[tokio::test]
-async fn a_browser_says_its_token_as_a_subprotocol() {
+async fn a_browser_sends_its_token_as_a_subprotocol() {
     let harness = Harness::far();
     let secret = harness.tokens[0].secret();
     let request = harness.request("GET", "/api/v1/state");
@@ -216,7 +216,7 @@ async fn a_browser_says_its_token_as_a_subprotocol() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_flood_of_requests_has_to_wait_but_a_stop_never_does() {
+async fn a_flood_of_requests_must_wait_but_a_stop_never_does() {
     let harness = Harness::far();
     let get = || {
         harness
@@ -247,7 +247,7 @@ async fn a_flood_of_requests_has_to_wait_but_a_stop_never_does() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn who_guesses_tokens_is_soon_not_heard() {
+async fn a_client_that_guesses_tokens_is_soon_blocked() {
     let harness = Harness::far();
     let host = ("host", "192.168.7.5:8642");
     for _ in 0..10 {
@@ -262,7 +262,7 @@ async fn who_guesses_tokens_is_soon_not_heard() {
 }
 
 #[tokio::test]
-async fn every_answer_has_the_headers_that_keep_browsers_from_harm() {
+async fn every_answer_has_the_headers_that_protect_browsers() {
     let harness = Harness::near();
     for path in [
         "/",

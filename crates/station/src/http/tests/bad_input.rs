@@ -1,5 +1,5 @@
 //! Bad input, generated from the document: what it allows is accepted, and anything else is
-//! answered with a problem and reaches nobody.
+//! answered with a problem and not passed on.
 
 use std::cell::Cell;
 
@@ -65,7 +65,7 @@ fn without_waiting(mut body: Value) -> Value {
 }
 
 #[test]
-fn bodies_that_the_document_allows_are_taken_and_others_change_nothing() {
+fn bodies_allowed_by_the_document_are_accepted_and_others_change_nothing() {
     let document = document();
     let runtime = runtime();
     let (taken, refused) = (Cell::new(0), Cell::new(0));
@@ -115,7 +115,7 @@ fn bodies_that_the_document_allows_are_taken_and_others_change_nothing() {
 }
 
 #[test]
-fn bodies_that_are_no_json_change_nothing() {
+fn bodies_that_are_not_json_change_nothing() {
     let document = document();
     let runtime = runtime();
     for (method, path, schema) in routes(&document) {
@@ -165,7 +165,7 @@ fn spoiled(bytes: Vec<u8>) -> BoxedStrategy<Vec<u8>> {
 }
 
 #[test]
-fn nesting_without_end_is_refused() {
+fn endless_nesting_is_refused() {
     let lab_runtime = runtime();
     let harness = lab_runtime.block_on(async { Harness::near() });
     for piece in ["[", "{\"a\":"] {
@@ -182,7 +182,7 @@ fn nesting_without_end_is_refused() {
 }
 
 #[test]
-fn messages_that_the_document_allows_are_understood_and_no_others() {
+fn messages_allowed_by_the_document_are_accepted_and_no_others() {
     let document = document();
     let schema = &document["components"]["schemas"]["FromClient"];
     let whole = instance(&document, schema);

@@ -42,7 +42,7 @@ async fn points(harness: &Harness) -> Vec<[f64; 2]> {
 }
 
 #[tokio::test]
-async fn touches_of_the_sheet_tell_what_is_wrong_with_the_arm() {
+async fn touches_of_the_sheet_show_the_errors_of_the_arm() {
     let harness = Harness::near();
     let touches: Vec<Value> = points(&harness).await.into_iter().map(touch).collect();
     let body = question(&touches).to_string();
@@ -77,7 +77,7 @@ async fn touches_of_the_sheet_tell_what_is_wrong_with_the_arm() {
 }
 
 #[tokio::test]
-async fn touches_that_tell_nothing_are_refused_with_what_to_do() {
+async fn touches_without_information_are_refused_with_a_remedy() {
     let harness = Harness::near();
     let all = points(&harness).await;
     let three: Vec<Value> = all[..3].iter().copied().map(touch).collect();
@@ -105,7 +105,7 @@ async fn touches_that_tell_nothing_are_refused_with_what_to_do() {
 }
 
 #[tokio::test]
-async fn the_sheet_is_an_image_to_print_and_nothing_is_known_at_first() {
+async fn the_sheet_is_a_printable_image_and_nothing_is_known_at_first() {
     let harness = Harness::near();
     let sheet = harness.get("/api/v1/calibration/sheet").await;
     assert!(sheet.body.starts_with("<svg"));
@@ -120,7 +120,7 @@ async fn the_sheet_is_an_image_to_print_and_nothing_is_known_at_first() {
 }
 
 #[tokio::test]
-async fn touches_of_the_paper_tell_how_it_lies_and_that_may_be_kept() {
+async fn touches_of_the_paper_give_its_plane_which_may_be_saved() {
     let harness = Harness::near();
     let bent = |[x, y]: [f64; 2]| [x, y, -42.0 + 0.01 * x + (y / 100.0).powi(2)];
     let touches: Vec<[f64; 3]> = points(&harness).await.into_iter().map(bent).collect();
@@ -149,7 +149,7 @@ async fn touches_of_the_paper_tell_how_it_lies_and_that_may_be_kept() {
 }
 
 #[tokio::test]
-async fn how_far_each_touch_is_off_is_a_picture() {
+async fn the_error_of_each_touch_is_shown_in_a_picture() {
     let harness = Harness::near();
     let touches: Vec<Value> = points(&harness).await.into_iter().map(touch).collect();
     let body = question(&touches).to_string();

@@ -33,7 +33,7 @@ fn matches(pattern: &str, path: &str) -> bool {
 }
 
 #[test]
-fn every_reference_leads_somewhere() {
+fn every_reference_resolves() {
     let document = document();
     let mut found = 0;
     walk(&document, &mut |value| {
@@ -47,7 +47,7 @@ fn every_reference_leads_somewhere() {
 }
 
 #[test]
-fn every_operation_has_a_name_of_its_own() {
+fn every_operation_has_a_unique_name() {
     let mut names = BTreeSet::new();
     walk(&document(), &mut |value| {
         if let Some(name) = value.get("operationId") {
@@ -69,7 +69,7 @@ fn every_example_is_accepted() {
 }
 
 #[tokio::test]
-async fn the_router_has_every_route_of_the_document_and_no_other() {
+async fn the_router_has_exactly_the_routes_of_the_document() {
     let harness = Harness::near();
     let document = harness.get("/api/v1/openapi.json").await.is(200).value();
     for (path, operations) in document["paths"].as_object().unwrap() {
@@ -88,7 +88,7 @@ async fn the_router_has_every_route_of_the_document_and_no_other() {
 }
 
 #[test]
-fn every_route_can_be_refused_with_what_is_explained() {
+fn every_refusal_of_a_route_is_a_problem_document() {
     let document = document();
     for operations in document["paths"].as_object().unwrap().values() {
         for operation in operations.as_object().unwrap().values() {

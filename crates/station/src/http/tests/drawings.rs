@@ -40,7 +40,7 @@ async fn planned(harness: &Harness, body: Value) -> Value {
 }
 
 #[tokio::test]
-async fn a_file_becomes_a_plan_with_its_layers_its_time_and_its_way() {
+async fn a_file_becomes_a_plan_with_its_layers_its_time_and_its_path() {
     let harness = Harness::near();
     let place = json!({"at": [200, 30], "pen_down": -30});
     let view = planned(&harness, file("cross.svg", SVG.as_bytes(), &place)).await;
@@ -64,7 +64,7 @@ async fn a_file_becomes_a_plan_with_its_layers_its_time_and_its_way() {
 }
 
 #[tokio::test]
-async fn a_title_holds_nothing_that_a_terminal_would_obey() {
+async fn a_title_contains_no_terminal_control_characters() {
     let harness = Harness::near();
     let place = json!({"at": [200, 30], "pen_down": -30});
     let name = "\u{1b}[2Ja\u{7} cross\u{202e}";
@@ -87,7 +87,7 @@ async fn a_plan_is_kept_for_half_an_hour_and_then_forgotten() {
 }
 
 #[tokio::test]
-async fn a_text_stands_below_the_file_that_it_comes_with() {
+async fn a_text_is_placed_below_the_file_sent_with_it() {
     let harness = Harness::near();
     let place = json!({"at": [200, 30], "pen_down": -30});
     let alone = planned(&harness, file("cross.svg", SVG.as_bytes(), &place)).await;
@@ -107,7 +107,7 @@ async fn a_text_stands_below_the_file_that_it_comes_with() {
 }
 
 #[tokio::test]
-async fn a_job_is_made_of_a_plan_and_another_of_its_frame() {
+async fn a_job_is_made_from_a_plan_and_another_from_its_frame() {
     let harness = Harness::near();
     let text = json!({"options": {"what": {"text": "Hi"}, "place": {"pen_down": -30}}});
     let number = planned(&harness, text).await["drawing"].clone();
@@ -127,7 +127,7 @@ fn title(request: Request) -> String {
 }
 
 #[tokio::test]
-async fn an_option_that_no_drawing_can_have_is_refused_at_once_by_its_field() {
+async fn an_invalid_option_is_refused_at_once_with_its_field() {
     let harness = Harness::near();
     for (options, detail) in [
         (
@@ -152,7 +152,7 @@ async fn an_option_that_no_drawing_can_have_is_refused_at_once_by_its_field() {
 }
 
 #[tokio::test]
-async fn what_cannot_be_drawn_is_told_and_no_job_is_made_of_it() {
+async fn an_undrawable_file_is_reported_and_no_job_is_made_of_it() {
     let harness = Harness::near();
     for (body, says) in [
         (file("a.svg", b"no svg", &json!({})), "xml"),
@@ -179,7 +179,7 @@ async fn what_cannot_be_drawn_is_told_and_no_job_is_made_of_it() {
 }
 
 #[tokio::test]
-async fn a_plan_under_way_is_given_up_and_the_next_one_is_made() {
+async fn a_plan_in_progress_is_cancelled_and_the_next_one_is_made() {
     let harness = Harness::near();
     let dots: Vec<String> = (0..20_000)
         .map(|n| format!("<path d=\"M{} {}h.3\" stroke=\"red\"/>", n % 141, n / 141))
@@ -201,7 +201,7 @@ async fn a_plan_under_way_is_given_up_and_the_next_one_is_made() {
 }
 
 #[tokio::test]
-async fn the_latest_drawings_are_kept_and_the_oldest_forgotten() {
+async fn the_latest_drawings_are_kept_and_the_oldest_deleted() {
     let harness = Harness::near();
     for _ in 0..17 {
         planned(&harness, json!({"file": "%"})).await;
@@ -211,7 +211,7 @@ async fn the_latest_drawings_are_kept_and_the_oldest_forgotten() {
 }
 
 #[tokio::test]
-async fn a_file_that_is_told_to_be_too_large_is_not_read() {
+async fn a_file_announced_as_too_large_is_not_read() {
     let harness = Harness::near();
     let endless = futures_util::stream::pending::<Result<Vec<u8>, std::io::Error>>();
     let request = harness
@@ -244,7 +244,7 @@ impl axum::body::HttpBody for Told {
 }
 
 #[tokio::test]
-async fn the_pens_and_materials_are_told_by_name() {
+async fn the_pens_and_materials_are_listed_by_name() {
     let all = Harness::near()
         .bare("GET", "/api/v1/materials")
         .await
@@ -268,7 +268,7 @@ async fn the_formats_are_listed_with_their_extensions_and_mime_types() {
 }
 
 #[tokio::test]
-async fn who_may_queue_jobs_plans_drawings_and_who_only_watches_does_not() {
+async fn clients_that_may_queue_jobs_can_plan_drawings_and_watchers_cannot() {
     let harness = Harness::far();
     let body = json!({"options": {"what": {"text": "Hi"}, "place": {"pen_down": -30}}});
     let begin = async |role| {

@@ -64,14 +64,14 @@ async fn stand_in(mut end: FleetChannels) -> Vec<ApiRequest> {
             FleetCommand::SendStops(to, answers) => {
                 drop(answers.send(to.iter().map(answer).collect()));
             }
-            FleetCommand::Work(wish) => panic!("nobody submits work here: {wish:?}"),
+            FleetCommand::Work(wish) => panic!("no test submits work here: {wish:?}"),
         }
     }
     asked
 }
 
 #[tokio::test]
-async fn a_station_alone_says_how_to_join_a_fleet() {
+async fn a_station_without_a_fleet_explains_how_to_join_one() {
     let harness = Harness::near();
     for (method, path) in [
         ("GET", "/api/v1/fleet"),
@@ -87,7 +87,7 @@ async fn a_station_alone_says_how_to_join_a_fleet() {
 }
 
 #[tokio::test]
-async fn a_request_reaches_those_of_a_group_with_the_token_that_came_with_it() {
+async fn a_request_reaches_the_stations_of_a_group_with_the_token_of_its_sender() {
     let harness = Harness::far();
     let stand_in = joined(&harness);
     let body = r#"{"to": {"group": "room-2"}, "method": "POST", "path": "/api/v1/jobs/pause"}"#;
@@ -115,7 +115,7 @@ async fn a_request_reaches_those_of_a_group_with_the_token_that_came_with_it() {
 }
 
 #[tokio::test]
-async fn anyone_stops_all_and_no_unknown_token_keeps_them_from_it() {
+async fn anyone_may_stop_all_stations_even_with_an_unknown_token() {
     let harness = Harness::far();
     let stand_in = joined(&harness);
     let request = harness
@@ -137,7 +137,7 @@ async fn anyone_stops_all_and_no_unknown_token_keeps_them_from_it() {
 }
 
 #[tokio::test]
-async fn a_stop_of_a_group_is_none_of_the_fleet() {
+async fn a_stop_of_a_group_is_not_a_stop_of_the_fleet() {
     let harness = Harness::far();
     let stand_in = joined(&harness);
     let body = r#"{"to": {"group": "room-2"}, "reason": "smoke"}"#;
@@ -154,7 +154,7 @@ async fn a_stop_of_a_group_is_none_of_the_fleet() {
 }
 
 #[tokio::test]
-async fn the_fleet_is_reset_by_whoever_has_control_by_a_token_and_by_nobody_else() {
+async fn the_fleet_is_reset_only_by_a_client_with_a_control_token() {
     let harness = Harness::near();
     let stand_in = joined(&harness);
     // The rights of local programs are not valid at other stations.
@@ -176,7 +176,7 @@ async fn the_fleet_is_reset_by_whoever_has_control_by_a_token_and_by_nobody_else
 }
 
 #[tokio::test]
-async fn a_stop_over_http_is_one_of_this_arm_whatever_it_says_of_the_fleet() {
+async fn a_stop_over_http_concerns_this_arm_only_even_if_it_names_the_fleet() {
     let harness = Harness::near();
     let fleet = json!({"origin": "0123", "count": 9, "by": "Anna"});
     let body = json!({"fleet": fleet}).to_string();
@@ -185,7 +185,7 @@ async fn a_stop_over_http_is_one_of_this_arm_whatever_it_says_of_the_fleet() {
 }
 
 #[tokio::test]
-async fn a_station_that_was_never_seen_is_told_and_nobody_is_asked() {
+async fn an_unknown_station_is_reported_and_no_station_is_asked() {
     let harness = Harness::near();
     let stand_in = joined(&harness);
     for to in [
@@ -213,8 +213,8 @@ fn stop() -> ApiRequest {
 }
 
 #[tokio::test]
-async fn one_who_comes_by_the_fleet_without_a_token_watches_and_stops_and_does_nothing_else() {
-    // Over HTTP on this machine everyone has all rights; through the fleet nobody is local.
+async fn a_fleet_client_without_a_token_may_watch_and_stop_only() {
+    // Over HTTP on this machine everyone has all rights; through the fleet no client is local.
     let harness = Harness::near();
     let api = api(&harness);
     assert_eq!(api.call(&stop()).await.status, 200);
@@ -237,7 +237,7 @@ async fn one_who_comes_by_the_fleet_without_a_token_watches_and_stops_and_does_n
 }
 
 #[tokio::test]
-async fn a_stolen_token_that_was_removed_opens_nothing_any_more() {
+async fn a_stolen_token_that_was_removed_grants_no_access() {
     let harness = Harness::near();
     let api = api(&harness);
     let request = ApiRequest {
@@ -251,7 +251,7 @@ async fn a_stolen_token_that_was_removed_opens_nothing_any_more() {
 }
 
 #[tokio::test]
-async fn what_does_not_end_and_what_is_no_request_is_told_as_such() {
+async fn endless_answers_and_invalid_requests_are_refused_as_such() {
     let harness = Harness::near();
     let api = api(&harness);
     let get = |path: &str| ApiRequest {

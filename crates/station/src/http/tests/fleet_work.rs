@@ -39,7 +39,7 @@ async fn offer(harness: &Harness, key: &str) -> Answer {
 }
 
 #[tokio::test]
-async fn an_offer_is_taken_once_and_the_next_one_finds_the_arm_busy() {
+async fn an_offer_is_accepted_once_and_the_next_one_finds_the_arm_busy() {
     let (harness, _end) = desk(Some(TakesWork::Queue));
     let first = offer(&harness, "a").await.is(200).value();
     assert_eq!(
@@ -54,7 +54,7 @@ async fn an_offer_is_taken_once_and_the_next_one_finds_the_arm_busy() {
 }
 
 #[tokio::test]
-async fn in_the_time_of_a_student_only_his_work_is_taken() {
+async fn in_the_slot_of_a_student_only_that_students_work_is_accepted() {
     let (harness, _end) = desk(Some(TakesWork::Queue));
     is_time_of(&harness, "Ben");
     let answer = offer(&harness, "a").await;
@@ -68,7 +68,7 @@ async fn in_the_time_of_a_student_only_his_work_is_taken() {
 }
 
 #[tokio::test]
-async fn an_offer_that_is_withdrawn_before_it_comes_is_refused_when_it_comes() {
+async fn an_offer_withdrawn_before_it_arrives_is_refused_on_arrival() {
     let (harness, _end) = desk(Some(TakesWork::Queue));
     let path = format!("{OFFERS}/a");
     harness.get(&path).await.is(404).is_problem("no-such-work");
@@ -81,7 +81,7 @@ async fn an_offer_that_is_withdrawn_before_it_comes_is_refused_when_it_comes() {
 }
 
 #[tokio::test]
-async fn a_station_whose_owner_has_not_said_so_takes_no_work() {
+async fn a_station_accepts_no_work_unless_its_owner_has_enabled_it() {
     let (harness, _end) = desk(None);
     let answer = offer(&harness, "a").await;
     let (kind, detail) = answer.is(409).problem();
@@ -91,7 +91,7 @@ async fn a_station_whose_owner_has_not_said_so_takes_no_work() {
 }
 
 #[tokio::test]
-async fn stations_of_the_fleet_offer_without_a_token_and_others_who_may_only_watch_do_not() {
+async fn stations_of_the_fleet_may_offer_without_a_token_and_watchers_may_not() {
     let (mut harness, _end) = joined(Harness::far(), Some(TakesWork::Queue));
     let watcher = harness.bearer(Role::Watch);
     let request = harness.request("DELETE", &format!("{OFFERS}/a"));
@@ -103,7 +103,7 @@ async fn stations_of_the_fleet_offer_without_a_token_and_others_who_may_only_wat
 }
 
 #[tokio::test]
-async fn an_offer_without_a_key_or_with_two_things_to_do_is_answered_with_what_is_allowed() {
+async fn an_offer_without_a_key_or_with_two_jobs_is_refused_with_what_is_allowed() {
     let (harness, _end) = desk(Some(TakesWork::Queue));
     let body = json!({"by": "desk-1", "student": "Anna", "job": job()});
     let answer = harness.json("POST", OFFERS, body.to_string()).await;
@@ -125,7 +125,7 @@ async fn an_offer_without_a_key_or_with_two_things_to_do_is_answered_with_what_i
 }
 
 #[tokio::test]
-async fn work_is_submitted_with_whose_it_is_and_what_it_needs() {
+async fn work_is_submitted_with_its_owner_and_its_needs() {
     let (harness, mut end) = desk(None);
     let body = json!({"job": job(), "needs": ["pen", "a5"], "student": "Anna", "group": "room-2"});
     let request = harness
@@ -178,7 +178,7 @@ fn view(title: &str) -> WorkView {
 }
 
 #[tokio::test]
-async fn work_that_makes_no_sense_is_submitted_to_nobody() {
+async fn invalid_work_is_not_submitted() {
     let (harness, mut end) = desk(None);
     for (body, word) in [
         (json!({}), "a drawing or a job"),
@@ -197,7 +197,7 @@ async fn work_that_makes_no_sense_is_submitted_to_nobody() {
 }
 
 #[tokio::test]
-async fn whoever_may_only_watch_sees_the_work_and_changes_none() {
+async fn a_watcher_sees_the_work_and_changes_none() {
     let (harness, mut end) = joined(Harness::far(), None);
     let watcher = harness.bearer(Role::Watch);
     let body = json!({"job": job()}).to_string();
@@ -227,7 +227,7 @@ async fn whoever_may_only_watch_sees_the_work_and_changes_none() {
 }
 
 #[tokio::test]
-async fn a_station_of_no_fleet_says_how_to_join_one() {
+async fn a_station_without_a_fleet_explains_how_to_join_one() {
     let harness = Harness::near();
     for (method, path) in [("GET", WORK), ("DELETE", "/api/v1/fleet/work/7")] {
         harness

@@ -9,7 +9,7 @@ const LEARNERS: &str = "/api/v1/learners";
 const ANNA: &str = r#"{"student": "Anna", "lesson": "tour", "done": 2, "steps": 12}"#;
 
 #[tokio::test]
-async fn who_is_told_of_is_seen_by_all_with_lesson_and_step() {
+async fn a_reported_student_is_shown_to_all_with_lesson_and_step() {
     let harness = Harness::near();
     assert_eq!(
         harness.get(LEARNERS).await.is(200).value(),
@@ -31,7 +31,7 @@ async fn who_is_told_of_is_seen_by_all_with_lesson_and_step() {
 }
 
 #[tokio::test]
-async fn what_cannot_be_is_refused_and_says_what_may() {
+async fn an_invalid_report_is_refused_with_what_is_allowed() {
     let harness = Harness::near();
     for (body, detail) in [
         (
@@ -65,7 +65,7 @@ async fn what_cannot_be_is_refused_and_says_what_may() {
 }
 
 #[tokio::test]
-async fn one_who_may_only_watch_sees_the_students_and_tells_of_none() {
+async fn a_watcher_sees_the_students_and_reports_none() {
     let harness = Harness::far();
     let ask = |method: &str, role| {
         let request = harness

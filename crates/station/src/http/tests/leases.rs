@@ -42,7 +42,7 @@ async fn requests_with_a_lease_token_come_from_one_client_and_others_from_many()
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_lease_that_is_not_used_for_ten_seconds_ends() {
+async fn a_lease_that_is_not_used_for_ten_seconds_expires() {
     let harness = Harness::near();
     let token = token(&harness.bare("POST", "/api/v1/lease").await);
     for _ in 0..3 {
@@ -61,7 +61,7 @@ async fn a_lease_that_is_not_used_for_ten_seconds_ends() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_lease_that_is_given_back_is_gone_at_once() {
+async fn a_lease_that_is_returned_ends_at_once() {
     let harness = Harness::near();
     let token = token(&harness.bare("POST", "/api/v1/lease").await);
     with_lease(&harness, "DELETE", "/api/v1/lease", &token)
@@ -81,7 +81,7 @@ async fn a_lease_that_is_given_back_is_gone_at_once() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn who_asks_for_control_stays_until_it_is_granted() {
+async fn a_request_for_control_stays_until_it_is_granted() {
     let harness = Harness::near();
     let token = token(&harness.bare("POST", "/api/v1/lease/ask").await);
     with_lease(&harness, "POST", "/api/v1/jog/release", &token)
@@ -91,7 +91,7 @@ async fn who_asks_for_control_stays_until_it_is_granted() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_client_whose_wish_is_refused_is_not_kept() {
+async fn a_client_whose_request_is_refused_is_not_kept() {
     let harness = Harness::near();
     let answer = harness
         .json("POST", "/api/v1/lease", r#"{"name": "refused"}"#)
@@ -101,7 +101,7 @@ async fn a_client_whose_wish_is_refused_is_not_kept() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_token_found_by_somebody_who_may_only_watch_is_of_no_use() {
+async fn a_lease_token_is_useless_to_a_client_that_may_only_watch() {
     let harness = Harness::far();
     let request = |role, path| {
         harness
@@ -124,7 +124,7 @@ async fn a_token_found_by_somebody_who_may_only_watch_is_of_no_use() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn there_is_an_end_to_how_many_are_kept() {
+async fn the_number_of_pending_lease_requests_is_limited() {
     let harness = Harness::near();
     for _ in 0..64 {
         harness.bare("POST", "/api/v1/lease/ask").await.is(200);

@@ -14,7 +14,7 @@ use super::Harness;
 use crate::sample::{notice, state};
 
 #[tokio::test]
-async fn health_is_for_everyone_and_figures_are_for_those_who_may_watch() {
+async fn health_is_public_and_metrics_are_for_watchers() {
     let harness = Harness::far();
     assert_eq!(harness.get("/healthz").await.is(200).body, "ok\n");
     harness.get("/metrics").await.is(401);
@@ -29,7 +29,7 @@ async fn health_is_for_everyone_and_figures_are_for_those_who_may_watch() {
 }
 
 #[tokio::test]
-async fn the_figures_are_those_of_the_state_each_explained_once() {
+async fn the_metrics_are_those_of_the_state_each_explained_once() {
     let harness = Harness::near();
     let told = state(7.5);
     harness.telling.ends.publish_state(told.clone());
@@ -93,7 +93,7 @@ fn events(text: &str) -> Vec<(String, Value)> {
 }
 
 #[tokio::test]
-async fn events_begin_with_the_state_and_the_notices_that_were_missed() {
+async fn events_begin_with_the_state_and_the_missed_notices() {
     let harness = Harness::near();
     harness.telling.ends.publish_state(state(7.5));
     for number in 1..=4 {
@@ -116,7 +116,7 @@ async fn events_begin_with_the_state_and_the_notices_that_were_missed() {
 }
 
 #[tokio::test]
-async fn one_chooses_what_comes_and_nothing_else() {
+async fn only_the_selected_events_are_sent() {
     let harness = Harness::near();
     let answer = harness.get("/api/v1/events?states=0").await;
     assert_eq!(answer.is(200).body, "");
@@ -138,7 +138,7 @@ async fn one_chooses_what_comes_and_nothing_else() {
 }
 
 #[tokio::test]
-async fn packets_are_told_both_ways_and_decoded_and_what_came_too_fast_is_counted() {
+async fn packets_are_reported_in_both_directions_and_decoded_and_dropped_ones_are_counted() {
     let harness = Harness::near();
     let request = harness.request("GET", "/api/v1/packets");
     let mut request = request.body(Body::empty()).unwrap();

@@ -8,7 +8,7 @@ use super::Harness;
 const LOW: &str = "# our table\n[table]\nz_mm = -60\n";
 
 #[tokio::test]
-async fn a_policy_that_is_changed_holds_and_is_kept_with_its_comments() {
+async fn a_changed_policy_is_in_force_and_is_saved_with_its_comments() {
     let harness = Harness::near();
     let text = harness.get("/api/v1/policy/text").await;
     assert_eq!(text.is(200).body, Policy::DEFAULT_TOML);
@@ -24,7 +24,7 @@ async fn a_policy_that_is_changed_holds_and_is_kept_with_its_comments() {
 }
 
 #[tokio::test]
-async fn a_text_that_is_no_policy_changes_nothing_and_says_where() {
+async fn a_text_that_is_not_a_policy_changes_nothing_and_its_error_is_located() {
     let harness = Harness::near();
     for text in [
         "[table]\nz_mm = \"low\"\n",
@@ -43,7 +43,7 @@ async fn a_text_that_is_no_policy_changes_nothing_and_says_where() {
 }
 
 #[tokio::test]
-async fn a_policy_may_be_looked_at_before_it_holds() {
+async fn a_policy_may_be_checked_before_it_is_in_force() {
     let harness = Harness::near();
     let body = json!({"text": LOW, "check": true}).to_string();
     let answer = harness.json("PUT", "/api/v1/policy", body).await;
@@ -54,7 +54,7 @@ async fn a_policy_may_be_looked_at_before_it_holds() {
 }
 
 #[tokio::test]
-async fn a_keep_out_is_changed_in_a_draft_and_the_policy_that_holds_stays() {
+async fn a_keep_out_is_changed_in_a_draft_and_the_policy_in_force_is_unchanged() {
     let harness = Harness::near();
     let keep_out = json!({"box": {"x_mm": [200, 260], "y_mm": [80, 140], "z_mm": [-60, 0]}});
     let body = json!({"text": LOW, "edit": {"type": "add", "keep_out": keep_out}});

@@ -26,7 +26,7 @@ async fn ask(harness: &Harness, what: &str, body: Value) -> Answer {
 }
 
 #[tokio::test]
-async fn a_program_is_looked_at_as_a_whole() {
+async fn a_program_is_checked_as_a_whole() {
     let harness = Harness::near();
     let answer = ask(&harness, "check", json!({"text": CUBE})).await;
     let report = answer.is(200).value();
@@ -44,7 +44,7 @@ async fn a_program_is_looked_at_as_a_whole() {
 }
 
 #[tokio::test]
-async fn all_that_is_wrong_is_told_with_its_line_and_what_helps() {
+async fn every_problem_is_reported_with_its_line_and_a_remedy() {
     let harness = Harness::near();
     let far = CUBE
         .replace("y = -60", "y = -600")
@@ -75,7 +75,7 @@ async fn all_that_is_wrong_is_told_with_its_line_and_what_helps() {
 }
 
 #[tokio::test]
-async fn a_program_calls_and_draws_what_comes_with_it_and_nothing_else() {
+async fn a_program_may_call_and_draw_only_the_files_sent_with_it() {
     let harness = Harness::near();
     let text = "[[steps]]\ngo = { x = 200, y = 0, z = 40 }\n[[steps]]\ncall = \"cube.toml\"\n[[steps]]\ndrawing = { file = \"line.svg\", pen_down = -30 }\n";
     let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40"><path d="M5 5H35" fill="none" stroke="black"/></svg>"#;
@@ -96,7 +96,7 @@ async fn a_program_calls_and_draws_what_comes_with_it_and_nothing_else() {
 }
 
 #[tokio::test]
-async fn edits_keep_what_they_do_not_touch() {
+async fn edits_preserve_everything_else() {
     let harness = Harness::near();
     let edits = json!([
         {"type": "set_point", "name": "there", "point": {"x": 210, "y": 0, "z": 20}},
@@ -144,7 +144,7 @@ async fn a_jogged_path_becomes_few_steps() {
 }
 
 #[tokio::test]
-async fn edits_that_make_no_program_change_nothing_and_say_which() {
+async fn edits_that_break_the_program_change_nothing_and_are_named() {
     let harness = Harness::near();
     let edits = json!([{"type": "remove", "at": 0}, {"type": "remove", "at": 7}]);
     let (kind, detail) = ask(&harness, "edit", json!({"text": CUBE, "edits": edits}))
@@ -164,7 +164,7 @@ async fn edits_that_make_no_program_change_nothing_and_say_which() {
 }
 
 #[tokio::test]
-async fn a_program_becomes_a_job_as_often_and_from_where_it_is_asked() {
+async fn a_program_becomes_a_job_with_the_requested_repetitions_and_first_step() {
     let harness = Harness::near();
     let new = json!({"program": {"text": CUBE}, "from_step": 2, "times": {"count": 3}});
     ask(&harness, "jobs", new).await.is(201);
@@ -194,7 +194,7 @@ async fn a_program_becomes_a_job_as_often_and_from_where_it_is_asked() {
 }
 
 #[tokio::test]
-async fn a_vendor_file_becomes_a_program_and_one_again() {
+async fn a_vendor_file_becomes_a_program_and_a_vendor_file_again() {
     let harness = Harness::near();
     let text = "[[steps]]\ngo = { base = 0, rear = 40, fore = 45 }\n\n[[steps]]\ngo = { x = 200, y = 0, z = 30 }\n";
     let ask = async |body: serde_json::Value| {

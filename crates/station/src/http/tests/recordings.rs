@@ -42,7 +42,7 @@ fn at_base(base_deg: f32) -> Status {
 }
 
 #[tokio::test]
-async fn recordings_are_listed_and_handed_out_as_they_are() {
+async fn recordings_are_listed_and_served_unchanged() {
     let harness = recorded();
     let listed = harness.get("/api/v1/recordings").await.is(200).value();
     assert_eq!(listed[0]["name"], NAME);
@@ -62,7 +62,7 @@ async fn recordings_are_listed_and_handed_out_as_they_are() {
 }
 
 #[tokio::test]
-async fn the_states_of_a_recording_say_where_the_arm_was() {
+async fn the_states_of_a_recording_give_the_places_of_the_arm() {
     let harness = recorded();
     let path = format!("/api/v1/recordings/{NAME}/states");
     let found = harness.get(&path).await.is(200).value();
@@ -92,7 +92,7 @@ async fn the_states_of_a_recording_say_where_the_arm_was() {
 }
 
 #[tokio::test]
-async fn what_is_no_recording_of_the_station_is_not_read() {
+async fn a_file_that_is_not_a_recording_of_the_station_is_not_read() {
     let harness = recorded();
     std::fs::write(harness.folder.path().join("recordings/notes.txt"), "x").unwrap();
     for name in ["notes.txt", "..%2Ftokens.toml", "dobot.mcap"] {

@@ -13,7 +13,7 @@ const MOVE: &str = r#"{"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "r
     "suction": false, "mode": "jump", "gripper_deg": 0, "pause_s": 0}"#;
 
 #[tokio::test]
-async fn the_state_is_what_was_told_last() {
+async fn the_state_is_the_last_reported_one() {
     let harness = Harness::near();
     harness.telling.ends.publish_state(state(7.5));
     let answer = harness.get("/api/v1/state").await;
@@ -25,7 +25,7 @@ async fn the_state_is_what_was_told_last() {
 }
 
 #[tokio::test]
-async fn notices_are_kept_for_those_who_ask_later() {
+async fn notices_are_kept_for_later_requests() {
     let harness = Harness::near();
     for number in 1..=300 {
         harness
@@ -61,7 +61,7 @@ async fn a_command_waits_for_its_turn() {
 }
 
 #[tokio::test]
-async fn a_step_names_its_button_and_how_far() {
+async fn a_step_names_its_button_and_its_distance() {
     let harness = Harness::near();
     let step = |body: &str| harness.json("POST", "/api/v1/jog/step", body.to_owned());
     let body = r#"{"button": {"frame": "joint", "axis": "rear_minus"}, "by": 0.1}"#;
@@ -73,7 +73,7 @@ async fn a_step_names_its_button_and_how_far() {
 }
 
 #[tokio::test]
-async fn who_waits_is_told_when_the_arm_is_there_and_when_it_is_not() {
+async fn a_waiting_client_learns_whether_the_arm_has_arrived() {
     for (news, status) in [
         (News::CommandDone { command: 12 }, 200),
         (News::CommandFailed { command: 12 }, 409),
@@ -106,7 +106,7 @@ async fn who_waits_is_told_when_the_arm_is_there_and_when_it_is_not() {
 }
 
 #[tokio::test]
-async fn each_route_asks_the_driver_for_what_it_says() {
+async fn each_route_sends_its_request_to_the_driver() {
     let harness = Harness::near();
     for (method, path, body) in [
         ("POST", "/api/v1/stop", r#"{"reason": "hot"}"#),
@@ -241,7 +241,7 @@ async fn a_request_that_queues_a_job_passes_its_key_on_and_names_the_job() {
 }
 
 #[tokio::test]
-async fn a_page_that_is_none_is_refused_with_what_is_allowed() {
+async fn an_invalid_page_is_refused_with_what_is_allowed() {
     let harness = Harness::near();
     for (query, status, kind) in [
         ("limit=0", 422, "out-of-range"),
@@ -340,7 +340,7 @@ fn resolve(folder: &str, name: &str) -> String {
 }
 
 #[tokio::test]
-async fn paths_and_methods_that_do_not_exist_are_told() {
+async fn unknown_paths_and_methods_are_reported() {
     let harness = Harness::near();
     harness
         .get("/api/v2/state")
@@ -398,7 +398,7 @@ async fn bodies_are_json_of_bounded_size() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_body_that_never_arrives_is_given_up() {
+async fn a_body_that_never_arrives_times_out() {
     let harness = Harness::near();
     let never = Body::from_stream(futures_util::stream::pending::<
         Result<String, std::io::Error>,
@@ -411,7 +411,7 @@ async fn a_body_that_never_arrives_is_given_up() {
 }
 
 #[tokio::test]
-async fn a_station_that_ends_says_so() {
+async fn a_station_that_ends_reports_it() {
     let harness = Harness::near();
     harness.app.handle.end().await;
     harness

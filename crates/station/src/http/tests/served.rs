@@ -17,13 +17,13 @@ const EVERYWHERE: SocketAddr =
 async fn ask(mut stream: impl AsyncReadExt + AsyncWriteExt + Unpin, request: &str) -> String {
     stream.write_all(request.as_bytes()).await.unwrap();
     let mut answer = Vec::new();
-    // A peer that closes without a close_notify has sent everything all the same.
+    // A peer that closes without a close_notify has still sent everything.
     let _ = stream.read_to_end(&mut answer).await;
     String::from_utf8(answer).unwrap()
 }
 
 #[tokio::test]
-async fn a_station_says_where_it_is_and_takes_that_back_at_its_end() {
+async fn a_station_publishes_its_address_and_removes_it_at_its_end() {
     let folder = tempfile::tempdir().unwrap();
     let folders = Folders::at(folder.path());
     let served = serve(&Web::new(LOOPBACK, folders.clone()), driver().0)
@@ -52,7 +52,7 @@ async fn a_station_says_where_it_is_and_takes_that_back_at_its_end() {
 }
 
 #[tokio::test]
-async fn a_station_that_others_can_reach_does_not_start_without_tokens() {
+async fn a_station_reachable_from_the_network_does_not_start_without_tokens() {
     let folder = tempfile::tempdir().unwrap();
     let web = Web::new(EVERYWHERE, Folders::at(folder.path()));
     let error = serve(&web, driver().0).await.unwrap_err();
@@ -62,7 +62,7 @@ async fn a_station_that_others_can_reach_does_not_start_without_tokens() {
 
 #[cfg(not(feature = "full"))]
 #[tokio::test]
-async fn a_station_without_tls_is_not_served_to_others() {
+async fn a_station_without_tls_is_not_served_to_other_machines() {
     let folder = tempfile::tempdir().unwrap();
     let web = Web::new(EVERYWHERE, Folders::at(folder.path()));
     let mut tokens = Tokens::open(&web.folders.tokens()).unwrap();
@@ -75,7 +75,7 @@ async fn a_station_without_tls_is_not_served_to_others() {
 
 #[cfg(feature = "full")]
 #[tokio::test]
-async fn a_station_that_others_can_reach_speaks_tls_with_a_certificate_of_its_own() {
+async fn a_station_reachable_from_the_network_uses_tls_with_its_own_certificate() {
     let folder = tempfile::tempdir().unwrap();
     let web = Web::new(EVERYWHERE, Folders::at(folder.path()));
     let token = Tokens::open(&web.folders.tokens())
@@ -134,7 +134,7 @@ async fn connect(web: &Web, port: u16) -> tokio_rustls::client::TlsStream<TcpStr
 }
 
 #[tokio::test]
-async fn an_address_that_is_taken_is_told() {
+async fn an_address_in_use_is_reported() {
     let folder = tempfile::tempdir().unwrap();
     let taken = tokio::net::TcpListener::bind(LOOPBACK).await.unwrap();
     let web = Web::new(taken.local_addr().unwrap(), Folders::at(folder.path()));

@@ -37,7 +37,7 @@ async fn slots_are_set_shown_and_cleared() {
 }
 
 #[tokio::test]
-async fn what_is_no_list_of_slots_reaches_nobody() {
+async fn an_invalid_list_of_slots_is_refused() {
     let harness = Harness::near();
     for body in [
         "{}",
@@ -54,7 +54,7 @@ async fn what_is_no_list_of_slots_reaches_nobody() {
 }
 
 #[tokio::test]
-async fn a_token_says_who_its_holder_is_unless_it_is_for_several_people() {
+async fn a_token_identifies_its_holder_unless_it_is_for_several_people() {
     let harness = Harness::far();
     let takes = async || {
         let request = harness
@@ -76,7 +76,7 @@ async fn a_token_says_who_its_holder_is_unless_it_is_for_several_people() {
 }
 
 #[tokio::test]
-async fn a_token_for_a_class_is_made_and_listed_as_one() {
+async fn a_token_for_a_class_is_created_and_listed_as_such() {
     let harness = Harness::near();
     let body = json!({"name": "class", "role": "control", "shared": true}).to_string();
     harness.json("POST", "/api/v1/tokens", body).await.is(201);

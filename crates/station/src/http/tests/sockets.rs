@@ -89,7 +89,7 @@ fn status(error: &Error) -> u16 {
 }
 
 #[tokio::test]
-async fn a_client_is_greeted_and_told_the_state_and_what_happens() {
+async fn a_client_is_greeted_and_receives_the_state_and_the_events() {
     let station = Station::start().await;
     let mut socket = station.connect("?name=test").await;
     let hello = next(&mut socket).await;
@@ -134,7 +134,7 @@ async fn requests_are_answered_with_their_numbers_and_in_their_order() {
 }
 
 #[tokio::test]
-async fn what_is_refused_or_not_understood_is_told_as_a_problem() {
+async fn refused_and_invalid_messages_are_answered_with_a_problem() {
     let station = Station::start().await;
     let mut socket = station.connect("?states=0").await;
     next(&mut socket).await;
@@ -184,7 +184,7 @@ async fn the_lease_of_a_client_ends_with_its_connection() {
 }
 
 #[tokio::test]
-async fn wishes_that_make_no_sense_are_refused_before_the_upgrade() {
+async fn invalid_parameters_are_refused_before_the_upgrade() {
     let station = Station::start().await;
     for query in [
         "?states=-1",
@@ -218,7 +218,7 @@ async fn sockets_from_pages_of_other_sites_are_refused() {
 }
 
 #[tokio::test]
-async fn a_token_in_the_subprotocol_is_checked_and_not_said_back() {
+async fn a_token_in_the_subprotocol_is_checked_and_not_echoed() {
     let station = Station::start().await;
     let wrong = [("sec-websocket-protocol", "dobot, dobot.token.00")];
     assert_eq!(
@@ -235,7 +235,7 @@ async fn a_token_in_the_subprotocol_is_checked_and_not_said_back() {
 }
 
 #[tokio::test]
-async fn a_client_that_floods_is_closed_and_others_are_told() {
+async fn a_client_that_floods_is_closed_and_others_are_notified() {
     let station = Station::start().await;
     let mut socket = station.connect("?states=0&notices=false&name=flood").await;
     next(&mut socket).await;
@@ -263,7 +263,7 @@ async fn a_client_that_floods_is_closed_and_others_are_told() {
 }
 
 #[tokio::test]
-async fn everyone_is_told_when_the_station_ends() {
+async fn all_clients_are_notified_when_the_station_ends() {
     let station = Station::start().await;
     let mut socket = station.connect("?states=0").await;
     next(&mut socket).await;
@@ -355,7 +355,7 @@ async fn a_socket_whose_token_is_removed_is_closed_and_its_client_leaves_at_once
 }
 
 #[tokio::test]
-async fn a_socket_whose_token_may_do_less_than_before_is_closed() {
+async fn a_socket_whose_token_loses_rights_is_closed() {
     let station = Station::start().await;
     let mut tokens = station.tokens();
     let token = tokens.add(Role::Control, "anna").unwrap();

@@ -7,7 +7,7 @@ use super::Harness;
 use crate::http::access::tokens::digest;
 
 #[tokio::test]
-async fn an_administrator_makes_and_removes_tokens_whose_secrets_are_shown_once() {
+async fn an_administrator_creates_and_removes_tokens_whose_secrets_are_shown_once() {
     let harness = Harness::near();
     let body = json!({"name": "phone", "role": "control"}).to_string();
     let made = harness.json("POST", "/api/v1/tokens", body.clone()).await;
@@ -33,7 +33,7 @@ async fn an_administrator_makes_and_removes_tokens_whose_secrets_are_shown_once(
 }
 
 #[tokio::test]
-async fn nobody_else_sees_or_makes_tokens() {
+async fn only_an_administrator_sees_or_creates_tokens() {
     let harness = Harness::far();
     for role in [Role::Watch, Role::Queue, Role::Control] {
         for (method, path) in [

@@ -7,7 +7,7 @@ use super::Harness;
 const CUBE: &str = "[suction-cup]\ndown_z_mm = -40\n\n[[box]]\nname = \"cube\"\nsize_mm = [25, 25, 25]\nat_mm = [200, 60]\n";
 
 #[tokio::test]
-async fn an_arm_is_put_into_another_world() {
+async fn an_arm_is_placed_in_another_world() {
     let harness = Harness::near();
     harness
         .get("/api/v1/world")
@@ -34,7 +34,7 @@ async fn an_arm_is_put_into_another_world() {
 }
 
 #[tokio::test]
-async fn things_go_wrong_from_now_on_and_no_more() {
+async fn faults_begin_and_end_on_request() {
     let harness = Harness::near();
     let body = json!({"faults": ["drop=1%", "reset@3s"], "seed": 4}).to_string();
     harness.json("PUT", "/api/v1/faults", body).await.is(200);

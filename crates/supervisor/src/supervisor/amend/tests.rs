@@ -42,14 +42,14 @@ fn the_sliders_of_the_vendors_client_keep_the_teaching_speed_in_force() {
 }
 
 #[test]
-fn the_start_of_the_vendors_demo_for_arduino_sets_what_it_names_and_keeps_the_rest() {
+fn the_start_of_the_vendors_demo_for_arduino_sets_the_given_values_and_keeps_the_rest() {
     let (packet, _) = sent(&[9.0, 0.0, 50.0, 100.0]).unwrap();
     let kept = [9.0, 0.0, 50.0, 100.0, 30.0, 50.0, 60.0, 60.0];
     assert_eq!(packet, frame(&kept));
 }
 
 #[test]
-fn speeds_above_the_policy_come_down_to_it_and_the_height_of_a_jump_is_kept() {
+fn speeds_above_the_policy_are_reduced_to_it_and_the_height_of_a_jump_is_kept() {
     // As programs of the pyDobot family begin; 50 % of it applies, so twice the ceiling may be set.
     let asked = [
         9.0, 1.0, 200.0, 200.0, 200.0, 200.0, 800.0, 1000.0, 0.0, 50.0,
@@ -68,7 +68,7 @@ fn speeds_above_the_policy_come_down_to_it_and_the_height_of_a_jump_is_kept() {
 }
 
 #[test]
-fn what_is_allowed_and_what_is_no_setting_stays_as_it_is() {
+fn allowed_settings_and_other_packets_are_unchanged() {
     assert_eq!(sent(&[10.0, 0.0, 50.0, 50.0, 100.0]), None);
     let moderate = [9.0, 1.0, 60.0, 60.0, 60.0, 60.0, 60.0, 60.0, 0.0, 0.0];
     assert_eq!(sent(&moderate), None);
@@ -81,7 +81,7 @@ fn what_is_allowed_and_what_is_no_setting_stays_as_it_is() {
 }
 
 #[test]
-fn a_pump_that_is_neither_on_nor_off_stays_as_it_is_and_the_gripper_too() {
+fn an_invalid_pump_value_keeps_pump_and_gripper_unchanged() {
     for state in [3.0, 6.0] {
         for grab in [0.5, 2.0, -1.0] {
             let (packet, text) = sent(&[state, 0.0, 1.0, 2.0, 3.0, 4.0, grab, 2.0, 5.0]).unwrap();
@@ -98,7 +98,7 @@ fn a_pump_that_is_neither_on_nor_off_stays_as_it_is_and_the_gripper_too() {
 }
 
 #[test]
-fn a_gripper_that_opens_too_far_opens_as_far_as_it_may() {
+fn a_gripper_that_would_open_too_far_opens_to_its_limit() {
     let (packet, text) = sent(&[3.0, 0.0, 1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 130.0]).unwrap();
     assert_eq!([packet.float(7), packet.float(9)], [0.0, 90.0]);
     assert_eq!(
@@ -109,7 +109,7 @@ fn a_gripper_that_opens_too_far_opens_as_far_as_it_may() {
 }
 
 #[test]
-fn a_jog_at_no_speed_is_a_release_and_one_that_is_too_fast_is_as_fast_as_it_may_be() {
+fn a_jog_at_no_speed_is_a_release_and_one_that_is_too_fast_gets_the_highest_speed() {
     for state in [2.0, 7.0] {
         let (packet, text) = sent(&[state, 3.0]).unwrap();
         assert_eq!(packet, frame(&[state]));
@@ -129,7 +129,7 @@ fn a_jog_at_no_speed_is_a_release_and_one_that_is_too_fast_is_as_fast_as_it_may_
 }
 
 #[test]
-fn a_pen_that_is_too_fast_comes_down_to_the_ceiling_and_a_laser_does_not() {
+fn a_pen_that_is_too_fast_is_slowed_to_the_ceiling_and_a_laser_is_not() {
     let vector = [4.0, 0.0, 10.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 4200.0];
     let (packet, _) = sent(&vector).unwrap();
     assert!((f64::from(packet.float(10)) - Policy::default().speed.writing_mm_s).abs() < 1e-3);
@@ -140,7 +140,7 @@ fn a_pen_that_is_too_fast_comes_down_to_the_ceiling_and_a_laser_does_not() {
 }
 
 #[test]
-fn what_is_refused_all_the_same_is_refused_as_it_came() {
+fn a_packet_that_is_refused_anyway_is_refused_unchanged() {
     for floats in [
         // Each has a value that would be replaced, and a trap (note N51).
         [3.0, 0.0, 1.0, 2.0, 3.0, 0.0, 0.5, 3.0, 130.0, 0.0],

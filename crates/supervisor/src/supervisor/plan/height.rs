@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn where_a_laser_burns_nothing_changes() {
+    fn burning_strokes_are_unchanged() {
         let mut height = Height::planned(true);
         height.offset_mm = 1.0;
         let burning = WriteVector {
@@ -125,7 +125,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn what_is_raised_is_what_the_vectors_lead_higher_and_none_of_them_vanishes(
+        fn the_offset_is_the_added_height_of_the_vectors_and_none_of_them_vanishes(
             offset_mm in -5.0..5.0_f64,
             increments in prop::collection::vec(
                 (-20.0..20.0_f32, -20.0..20.0_f32, prop_oneof![Just(0.0_f32), -9.0..9.0_f32], any::<bool>()),

@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn segments_are_put_in_order_and_bytes_that_come_again_count_once() {
+    fn segments_are_put_in_order_and_repeated_bytes_count_once() {
         assert_eq!(
             text(&[(7, "SYN"), (8, "abc"), (11, "def"), (14, "FIN")]),
             "abcdef"
@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_missing_is_told_at_the_begin_in_the_middle_and_at_the_end() {
+    fn missing_bytes_are_reported_at_the_beginning_in_the_middle_and_at_the_end() {
         assert_eq!(
             text(&[(7, "SYN"), (10, "cd"), (14, "gh"), (17, "FIN")]),
             "<2>cd<2>gh<1>"
@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn bytes_are_there_when_all_before_them_are() {
+    fn bytes_are_available_when_all_before_them_are() {
         let parts = flow(&[(11, "def"), (8, "abc"), (14, "ghi")]).parts();
         let orders: Vec<_> = parts[0]
             .chunks
@@ -220,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn a_connection_that_begins_again_is_another_one() {
+    fn a_connection_that_starts_again_is_another_one() {
         let first = flow(&[(7, "SYN"), (8, "abc")]);
         let syn = |sequence| {
             let end = "127.0.0.1:1".parse().expect("it is an address");
@@ -240,7 +240,7 @@ mod tests {
 
     proptest::proptest! {
         #[test]
-        fn no_byte_is_told_twice(
+        fn no_byte_is_reported_twice(
             segments in proptest::collection::vec((0..60_u32, 0..20_usize), 0..20),
         ) {
             let source: String = ('!'..='~').collect();

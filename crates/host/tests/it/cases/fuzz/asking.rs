@@ -33,7 +33,7 @@ pub(crate) enum FuzzStep {
 pub(crate) struct Asking {
     pub people: [ClientId; 3],
     pub watcher: ClientId,
-    /// Somebody arms the laser now and then.
+    /// The laser is armed now and then.
     pub burns: bool,
     /// Buttons are held.
     pub jogs: bool,

@@ -1,4 +1,4 @@
-//! What must never happen, whatever was requested.
+//! Conditions that must never occur, for any requests.
 
 use dobot_arm::{Joints, Tool, forward};
 use dobot_controller::Refused;
@@ -11,7 +11,7 @@ use dobot_wire::VOICE_HEADER;
 #[derive(Debug)]
 pub(crate) struct Judge {
     policy: Policy,
-    /// Somebody may arm the laser.
+    /// The laser may be armed.
     burns: bool,
     /// Whether the arm is reset at some time: then its assumed base angle is wrong, which is
     /// undetectable if it was 0. Its positions are not judged.

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use dobot_geometry::{Point, Vec2};
 use proptest::prelude::*;
 
-/// What a laser burns.
+/// The lines that a laser burns.
 ///
 /// - G0, drilling cycles and moves along Z alone never burn.
 /// - G1, G2 and G3 burn while M3, M4 or M106 hold and S is above 0. Before the first of them the
@@ -214,7 +214,7 @@ fn distance(p: Point, a: Point, b: Point) -> f64 {
 pub(super) struct Words {
     /// Z, and drilling cycles.
     has_z: bool,
-    /// S beside M3, in a line of its own: it may be the angle of a pen's servo.
+    /// S with M3, in its own line: it may be the angle of a pen's servo.
     has_servo: bool,
     /// M5 at least.
     has_switch: bool,

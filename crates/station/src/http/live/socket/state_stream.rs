@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[tokio::test(start_paused = true)]
-    async fn who_wants_every_state_gets_every_state() {
+    async fn a_client_of_every_state_gets_every_state() {
         let (sender, states) = broadcast::channel(16);
         let mut stream = StateStream::new(states, None);
         for n in 0..10 {
@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[tokio::test(start_paused = true)]
-    async fn who_wants_two_in_a_second_gets_the_newest_every_half_second() {
+    async fn a_client_of_two_states_per_second_gets_the_newest_every_half_second() {
         let (sender, states) = broadcast::channel(1024);
         let mut stream = StateStream::new(states, Some(2.0));
         let sender = tokio::spawn(async move {
@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[tokio::test(start_paused = true)]
-    async fn the_last_state_comes_even_when_nothing_follows() {
+    async fn the_last_state_arrives_even_if_nothing_follows() {
         let (sender, states) = broadcast::channel(16);
         let mut stream = StateStream::new(states, Some(1.0));
         for n in 0..3 {
@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[tokio::test(start_paused = true)]
-    async fn a_client_of_all_states_that_lags_too_far_is_told() {
+    async fn a_client_of_all_states_that_lags_too_far_is_notified() {
         let (sender, states) = broadcast::channel(4);
         let mut stream = StateStream::new(states, None);
         for n in 0..9 {

@@ -223,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn as_many_vectors_are_taken_as_the_way_needs() {
+    fn the_number_of_vectors_follows_from_the_distance() {
         let vectors = [vector(1.0, 9.0), vector(2.0, 9.0), vector(4.0, 9.0)];
         assert_eq!(
             [0.0, 0.5, 1.0, 1.1, 3.0, 9.0].map(|mm| reaching(&vectors, mm)),

@@ -161,14 +161,14 @@ async fn a_client_that_vanishes_is_noticed_within_seconds() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_client_that_is_there_and_says_nothing_stays() {
+async fn a_connected_client_that_sends_nothing_stays() {
     let harness = Harness::new();
     let talking = harness.connection(usize::MAX, pongs());
     assert!(timeout(Duration::from_hours(1), talking).await.is_err());
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_client_that_does_not_read_is_dropped_and_those_who_watch_are_told() {
+async fn a_client_that_does_not_read_is_dropped_and_watchers_are_notified() {
     let harness = Harness::new();
     let lasted = harness.connection(3, pongs()).await;
     assert!(lasted < Duration::from_secs(15), "{lasted:?}");
@@ -179,7 +179,7 @@ async fn a_client_that_does_not_read_is_dropped_and_those_who_watch_are_told() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_client_that_lags_too_many_states_behind_is_dropped() {
+async fn a_client_that_lags_too_many_states_is_dropped() {
     let harness = Harness::new();
     let telling = harness.telling.clone();
     let incoming = Box::pin(stream::once(async move {
@@ -194,7 +194,7 @@ async fn a_client_that_lags_too_many_states_behind_is_dropped() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_client_that_does_not_read_is_still_heard_when_it_says_stop() {
+async fn a_stop_of_a_client_that_does_not_read_is_still_handled() {
     let harness = Harness::new();
     let stop = text(r#"{"id": 1, "request": {"type": "stop"}}"#);
     let after = Box::pin(stream::once(async {
@@ -209,7 +209,7 @@ async fn a_client_that_does_not_read_is_still_heard_when_it_says_stop() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn what_is_no_websocket_message_ends_the_connection_with_the_reason() {
+async fn an_invalid_websocket_message_closes_the_connection_with_the_reason() {
     for (error, code) in [
         (
             "Space limit exceeded: Message too long: 70000 > 65536",
@@ -227,7 +227,7 @@ async fn what_is_no_websocket_message_ends_the_connection_with_the_reason() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_connection_that_breaks_off_is_no_trouble() {
+async fn an_aborted_connection_is_not_reported_as_an_error() {
     for error in [
         "WebSocket protocol error: Connection reset without closing handshake",
         "IO error: Connection reset by peer (os error 104)",
@@ -241,7 +241,7 @@ async fn a_connection_that_breaks_off_is_no_trouble() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn hello_comes_first_and_what_happened_meanwhile_after_it() {
+async fn hello_is_sent_first_and_earlier_events_after_it() {
     let harness = Harness::new();
     let telling = harness.telling.clone();
     let incoming = Box::pin(stream::once(async move {
