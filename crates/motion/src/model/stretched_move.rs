@@ -180,6 +180,7 @@ fn fastest_s(way_deg: f64, [speed, acceleration]: [f64; 2]) -> f64 {
 }
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
 
