@@ -16,8 +16,8 @@ pub(crate) struct InFlight {
     numbered: u64,
     /// The expected end of the last command.
     last_ends: Duration,
-    /// When the last motion was sent.
-    last_motion: Duration,
+    /// The number of motions sent.
+    motions_sent: u64,
 }
 
 /// A sent command and its prediction.
@@ -82,7 +82,7 @@ impl InFlight {
         sent.bound = sent.bound_after(bound);
         self.last_ends = sent.ends;
         if sent.id.is_some() && !sent.plan.is_still() {
-            self.last_motion = now;
+            self.motions_sent += 1;
         }
         self.numbered += 1;
         self.all.push_back(sent);
@@ -188,9 +188,9 @@ impl InFlight {
         self.last_ends + SHOWN
     }
 
-    /// From when on a status shows whether the last motion sent has started.
-    pub(crate) fn start_visible_from(&self) -> Duration {
-        self.last_motion + SHOWN
+    /// Number of motions sent.
+    pub(crate) const fn motions_sent(&self) -> u64 {
+        self.motions_sent
     }
 
     /// Time until all commands have ended; a jog counts as ended.

@@ -91,10 +91,10 @@ impl Session {
         self.estimate.is_jogging()
     }
 
-    /// Whether a status that arrives now shows whether the last motion has started.
+    /// Number of motions sent.
     #[must_use]
-    pub fn is_start_visible(&self) -> bool {
-        self.now >= self.estimate.in_flight().start_visible_from()
+    pub fn motions_sent(&self) -> u64 {
+        self.estimate.in_flight().motions_sent()
     }
 
     /// Whether this is the Bluetooth port of a stock arm, detected from the statuses (note N38). Joint jogs

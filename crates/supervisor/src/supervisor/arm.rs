@@ -29,8 +29,10 @@ pub(super) struct Arm {
     /// The last turn of base, rear arm and forearm, each when it last moved, in degrees.
     turned_deg: [f64; 3],
     approach: Approach,
-    /// The number of consecutive statuses with the same position.
+    /// The number of consecutive equal statuses since the last motion was sent.
     still: u32,
+    /// The number of motions sent before the last status.
+    motions_sent: u64,
 }
 
 impl Arm {
@@ -48,6 +50,7 @@ impl Arm {
             turned_deg: [0.0; 3],
             approach: Approach::default(),
             still: 0,
+            motions_sent: 0,
         }
     }
 
@@ -179,7 +182,7 @@ impl Arm {
         self.last
     }
 
-    /// Returns the number of consecutive statuses with the same position.
+    /// Returns the number of consecutive equal statuses since the last motion was sent.
     pub(super) const fn still(&self) -> u32 {
         self.still
     }
@@ -204,7 +207,9 @@ impl Arm {
     }
 
     pub(super) fn handle_status(&mut self, status: Status) {
-        self.still = if self.last == Some(status) {
+        let motions = self.session.motions_sent();
+        let is_new_motion = std::mem::replace(&mut self.motions_sent, motions) != motions;
+        self.still = if self.last == Some(status) && !is_new_motion {
             self.still + 1
         } else {
             0
@@ -230,11 +235,10 @@ impl Arm {
         self.still = 0;
     }
 
-    /// Returns whether the arm is at rest: no command waits or is in flight, no button is held, and the last
-    /// statuses are equal, though they would show a motion that was sent.
+    /// Returns whether the arm is at rest: no command waits or is in flight, no button is held, and the statuses
+    /// since the last motion was sent are equal.
     pub(super) fn is_at_rest(&self) -> bool {
-        let is_still = self.still >= AT_REST && self.session.is_start_visible();
-        is_still && self.is_idle() && !self.session.is_jogging()
+        self.still >= AT_REST && self.is_idle() && !self.session.is_jogging()
     }
 
     /// Returns whether a press has to wait. An arm at rest may still have to receive repetitions of the last
@@ -388,7 +392,7 @@ fn path_preview(model: &Model, trajectory: &Trajectory) -> Result<PathPreview, V
 
 /// A joint that turned by less than this, in degrees, may not have turned.
 const TURNS_DEG: f32 = 0.005;
-/// After this many equal statuses in a row the arm is at rest.
+/// After this many equal statuses in a row the arm is at rest: a motion shows in the third status after its packet.
 const AT_REST: u32 = 3;
 /// The time for laser off, a gap and the release, sent twice, on the line and in a tick of the arm.
 const HEARD_WITHIN: Duration = Duration::from_millis(700);
