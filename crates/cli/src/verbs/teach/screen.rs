@@ -63,11 +63,11 @@ fn program_panel(frame: &mut Frame, area: Rect, teacher: &Teacher) {
     panels::titled_panel(frame, area, "program", state_line(teacher), lines);
 }
 
-/// `3 times`, or `for ever`.
+/// `3 times`, or `forever`.
 pub(super) fn times_text(times: Times) -> String {
     match times {
         Times::Count(count) => output::count(count, "time"),
-        Times::Forever => "for ever".to_owned(),
+        Times::Forever => "forever".to_owned(),
     }
 }
 

@@ -653,6 +653,24 @@ mod tests {
     }
 
     #[test]
+    fn keys_with_control_move_nothing_in_a_question_and_control_c_leaves() {
+        let mut it = teacher();
+        keyed(&mut it, KeyCode::Enter);
+        types(&mut it, "anx");
+        let with_control = |it: &mut Teacher, code| {
+            let key = Event::Key(KeyEvent::new(code, KeyModifiers::CONTROL));
+            it.handle_event(Duration::ZERO, &key);
+            asked(it)
+        };
+        for code in [KeyCode::Char('u'), KeyCode::Char('r'), KeyCode::Left] {
+            assert_eq!(with_control(&mut it, code), [], "{code:?}");
+        }
+        assert_eq!(it.prompt.as_ref().map(Prompt::text), Some("x"));
+        with_control(&mut it, KeyCode::Char('c'));
+        assert!(it.pendant.is_over());
+    }
+
+    #[test]
     fn the_arm_is_stopped_in_every_question_and_nothing_that_was_taught_is_lost() {
         for keys in ["a", "an", "ar1", "at", "atc", "agtray", "agtray\n", "af"] {
             let mut it = teacher();

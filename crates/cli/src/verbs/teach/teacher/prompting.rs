@@ -48,7 +48,13 @@ impl Teacher {
             KeyCode::Char('s' | 'S') => input != Input::Text,
             _ => false,
         };
-        if stops || key.modifiers.contains(KeyModifiers::CONTROL) {
+        let is_control = key.modifiers.contains(KeyModifiers::CONTROL);
+        let leaves = matches!(key.code, KeyCode::Char('c' | 'C'));
+        // Others would jog or switch the pump: Ctrl-U and Ctrl-Left are keys of editors.
+        if is_control && input != Input::Place && !stops && !leaves {
+            return;
+        }
+        if stops || is_control {
             if key.code == KeyCode::Esc {
                 self.prompt = None;
             }
