@@ -39,7 +39,7 @@ the arm.
   v       record the jogged path until v is pressed again, as straight lines
   a       add, with a second key:
             n   name of the point to which the selected step goes
-            r   repeat of the following steps: a count, or 0 forever
+            r   repeat of the following steps: a count, or 0: forever
             t   tool: c cup, g gripper, p pen, l laser; its length
             g   grid: touch its first cell, the end of the first row and of the
                 first column with Enter; then its size, 3x4

@@ -349,7 +349,7 @@ impl Prompt {
         match &self.question {
             Question::What(_) => "add what?".into(),
             Question::PointName(from) => format!("new name of point {from}:"),
-            Question::Times => format!("repeat how often? 1 to {MAX_TIMES}, 0 forever:"),
+            Question::Times => format!("repeat how often? 1 to {MAX_TIMES} times, 0: forever"),
             Question::Tool => "which tool is mounted?".into(),
             Question::Length(tool) => format!(
                 "{}: length from the wrist down to the tip, 0 to {MAX_LENGTH_MM} mm (0: teach the wrist):",
@@ -459,7 +459,7 @@ fn times(text: &str) -> Result<Times, String> {
         Ok(0) => Ok(Times::Forever),
         Ok(count @ 1..=MAX_TIMES) => Ok(Times::Count(count)),
         _ => Err(format!(
-            "the count is {text:?}; allowed are 1 to {MAX_TIMES}, or 0 forever"
+            "the count is {text:?}; allowed are 1 to {MAX_TIMES}, or 0: forever"
         )),
     }
 }
