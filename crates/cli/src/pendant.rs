@@ -188,6 +188,11 @@ impl Pendant {
         self.answer = Some(text);
     }
 
+    /// Removes the shown text.
+    pub(crate) fn clear(&mut self) {
+        self.answer = None;
+    }
+
     /// Releases the held button.
     pub(crate) fn release(&mut self) {
         self.hold.release();
@@ -323,7 +328,8 @@ impl Pendant {
         }
     }
 
-    fn change_step(&mut self) {
+    /// Toggles between steps and continuous motion.
+    pub(crate) fn change_step(&mut self) {
         self.step = match self.step {
             None if matches!(self.drive, Drive::Jog) => Some(STEPS[0]),
             Some(size) if size == STEPS[0] => Some(STEPS[1]),

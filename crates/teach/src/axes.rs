@@ -46,6 +46,16 @@ impl Axes {
         self.origin + self.way(at)
     }
 
+    /// Converts a place in the base frame to the frame.
+    pub(crate) fn locate(&self, at: Position) -> [f64; 3] {
+        [self.x, self.y, self.z].map(|axis| dot(at - self.origin, axis))
+    }
+
+    /// Whether the z axis points down.
+    pub(crate) const fn is_upside_down(&self) -> bool {
+        self.z.z.0 < 0.0
+    }
+
     /// Converts a displacement along the axes to the base frame.
     pub(crate) fn way(&self, [x, y, z]: [f64; 3]) -> Position {
         self.x * x + self.y * y + self.z * z
@@ -101,6 +111,8 @@ mod tests {
             prop_assert!((dot(cross(axes.x, axes.y), axes.z) - 1.0).abs() < 1e-9);
             let along = origin.distance(on_x).0;
             prop_assert!(axes.place([along, 0.0, 0.0]).distance(on_x).0 < 1e-9);
+            let there = axes.place(axes.locate(beside));
+            prop_assert!(there.distance(beside).0 < 1e-9);
             // The third point lies in the plane, on the side of y.
             prop_assert!(dot(beside - origin, axes.z).abs() < 1e-6);
             prop_assert!(dot(beside - origin, axes.y) > 0.0);

@@ -1,16 +1,25 @@
 //! The editor of program texts, which keeps comments.
 
-use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, value};
+mod blocks;
+mod layout;
+mod names;
+
+use toml_edit::{ArrayOfTables, DocumentMut, Item, Table};
 
 use crate::plain::plain;
-use crate::{Action, Point, Program, ProgramError, Steps};
+use crate::{Action, Program, ProgramError};
+
+use self::layout::table_of;
+
+pub(crate) use self::layout::on_lines;
 
 /// A program text that is edited step by step; untouched parts keep their comments and their
 /// formatting.
 ///
-/// Each change can be undone; a change that would make the text invalid is refused. Steps are those
-/// of the program itself, counted from 0; steps inside `repeat` and `each` move with their outer
-/// step.
+/// Each change can be undone; a change that would make the text invalid is refused.
+///
+/// A step is named by its path, counted from 0: `[2]` is the third step of the program, `[2, 0]` the
+/// first one inside that step, which is a `repeat` or an `each`.
 #[derive(Clone, Debug)]
 pub struct ProgramDocument {
     document: DocumentMut,
@@ -69,14 +78,15 @@ impl ProgramDocument {
             .map_or(0, ArrayOfTables::len)
     }
 
-    /// Inserts a step before the step with this number; the number of steps appends it.
+    /// Inserts a step at a path, before the step that is there; the number of steps appends it.
     ///
     /// # Errors
     ///
     /// [`ProgramError`] if the number is too large or the step uses an unknown name.
-    pub fn insert(&mut self, at: usize, action: Action) -> Result<(), ProgramError> {
+    pub fn insert(&mut self, at: &[usize], action: Action) -> Result<(), ProgramError> {
         let table = table_of(action)?;
         self.change(|steps| {
+            let (steps, at) = list(steps, at)?;
             within(at, steps.len() + 1)?;
             steps.insert(at, table);
             Ok(())
@@ -88,9 +98,10 @@ impl ProgramDocument {
     /// # Errors
     ///
     /// [`ProgramError`] if there is no such step or the new step uses an unknown name.
-    pub fn replace(&mut self, at: usize, action: Action) -> Result<(), ProgramError> {
+    pub fn replace(&mut self, at: &[usize], action: Action) -> Result<(), ProgramError> {
         let mut table = table_of(action)?;
         self.change(|steps| {
+            let (steps, at) = list(steps, at)?;
             within(at, steps.len())?;
             if let Some(old) = steps.get(at) {
                 *table.decor_mut() = old.decor().clone();
@@ -100,73 +111,28 @@ impl ProgramDocument {
         })
     }
 
-    /// Removes a step with the comment above it.
+    /// Removes a step with the comment above it, and with the steps inside it.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] if there is no such step or it is the only one.
-    pub fn remove(&mut self, at: usize) -> Result<(), ProgramError> {
-        self.change(|steps| {
-            within(at, steps.len())?;
-            steps.remove(at);
-            Ok(())
-        })
+    /// [`ProgramError`] if there is no such step or it is the only one of its list.
+    pub fn remove(&mut self, at: &[usize]) -> Result<(), ProgramError> {
+        self.change(|steps| take_step(steps, at).map(drop))
     }
 
-    /// Moves a step, with the comment above it, to another number.
+    /// Moves a step, with the comment above it, to another path, which is counted without the step.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] if one of the steps does not exist.
-    pub fn move_step(&mut self, from: usize, to: usize) -> Result<(), ProgramError> {
+    /// [`ProgramError`] if one of the paths does not exist, or the step is the only one of its list.
+    pub fn move_step(&mut self, from: &[usize], to: &[usize]) -> Result<(), ProgramError> {
         self.change(|steps| {
-            within(from.max(to), steps.len())?;
-            let table = steps.remove(from);
-            steps.insert(to, table);
+            let table = take_step(steps, from)?;
+            let (steps, at) = list(steps, to)?;
+            within(at, steps.len() + 1)?;
+            steps.insert(at, table);
             Ok(())
         })
-    }
-
-    /// Sets a named point or adds it.
-    ///
-    /// # Errors
-    ///
-    /// [`ProgramError`] if the frame of the point does not exist.
-    pub fn set_point(&mut self, name: &str, point: &Point) -> Result<(), ProgramError> {
-        let mut new = self.document.clone();
-        let fields = toml_edit::ser::to_document(point)
-            .map_err(|error| ProgramError::new(plain(&error.to_string())))?;
-        let had_points = new.contains_key("points");
-        let points = new.entry("points").or_insert_with(|| {
-            let mut table = Table::new();
-            table.set_implicit(true);
-            // After the title, before the existing tables.
-            table.set_position(Some(0));
-            Item::Table(table)
-        });
-        let points = points
-            .as_table_like_mut()
-            .ok_or_else(|| ProgramError::new("points is not a table"))?;
-        let mut inline = fields.as_table().clone().into_inline_table();
-        inline.fmt();
-        match points.get_mut(name).and_then(Item::as_table_like_mut) {
-            Some(old) => {
-                let keys: Vec<String> = old.iter().map(|(key, _)| key.to_owned()).collect();
-                for key in keys.iter().filter(|key| !inline.contains_key(key)) {
-                    old.remove(key);
-                }
-                for (key, field) in &inline {
-                    old.insert(key, value(field.clone()));
-                }
-            }
-            None => {
-                points.insert(name, value(inline));
-            }
-        }
-        if !had_points && let Some(table) = new["points"].as_table_mut() {
-            table.set_implicit(false);
-        }
-        self.take(new)
     }
 
     /// Undoes the last change; `false` if there is none.
@@ -210,58 +176,6 @@ impl ProgramDocument {
     }
 }
 
-/// Formats a program or steps for people: each step is a table with one key per line, `go` first; a
-/// point, a tool, a frame or a grid is on one line.
-pub(crate) fn on_lines(program: &impl serde::Serialize) -> Result<DocumentMut, String> {
-    let text = toml::to_string(program).map_err(|error| plain(&error.to_string()))?;
-    let document = text.parse();
-    let mut document: DocumentMut =
-        document.map_err(|error: toml_edit::TomlError| plain(error.message()))?;
-    for (_, item) in document.iter_mut() {
-        match item {
-            Item::Table(names) => inline(names),
-            Item::ArrayOfTables(steps) => steps.iter_mut().for_each(inline),
-            _ => {}
-        }
-    }
-    Ok(document)
-}
-
-/// A step as the table of a text.
-fn table_of(action: Action) -> Result<Table, ProgramError> {
-    #[derive(serde::Serialize)]
-    struct One {
-        steps: Steps,
-    }
-    let one = One {
-        steps: Steps::new(vec![action]),
-    };
-    let document = on_lines(&one).map_err(ProgramError::new)?;
-    let steps = document.get("steps").and_then(Item::as_array_of_tables);
-    let mut table = steps
-        .and_then(|steps| steps.get(0))
-        .cloned()
-        .ok_or_else(|| ProgramError::new("the step cannot be written as text"))?;
-    table.decor_mut().set_prefix("\n");
-    Ok(table)
-}
-
-/// Puts inner tables that are not steps on one line.
-fn inline(table: &mut Table) {
-    for (_, item) in table.iter_mut() {
-        if let Item::Table(inner) = item {
-            let mut line = std::mem::take(inner).into_inline_table();
-            line.fmt();
-            *item = value(line);
-        } else if let Item::ArrayOfTables(steps) = item {
-            steps.iter_mut().for_each(inline);
-        }
-    }
-    table.sort_values_by(|a, _, b, _| (a != "go").cmp(&(b != "go")));
-    table.set_implicit(false);
-    table.fmt();
-}
-
 fn forget_position(table: &mut Table) {
     table.set_position(None);
     for (_, item) in table.iter_mut() {
@@ -271,6 +185,35 @@ fn forget_position(table: &mut Table) {
             _ => {}
         }
     }
+}
+
+/// The list of steps that contains a path, and the number in it.
+fn list<'a>(
+    steps: &'a mut ArrayOfTables,
+    path: &[usize],
+) -> Result<(&'a mut ArrayOfTables, usize), ProgramError> {
+    let Some((last, blocks)) = path.split_last() else {
+        return Err(ProgramError::new("a path of a step has no number"));
+    };
+    let mut steps = steps;
+    for at in blocks {
+        within(*at, steps.len())?;
+        let inner = steps.get_mut(*at).and_then(|step| step.get_mut("steps"));
+        let inner = inner.and_then(Item::as_array_of_tables_mut);
+        steps = inner.ok_or_else(|| {
+            ProgramError::new(format!(
+                "step {at} has no steps, or they are written as one array; to edit them, write each as [[steps.steps]]"
+            ))
+        })?;
+    }
+    Ok((steps, *last))
+}
+
+/// Takes a step out of its list.
+fn take_step(steps: &mut ArrayOfTables, path: &[usize]) -> Result<Table, ProgramError> {
+    let (steps, at) = list(steps, path)?;
+    within(at, steps.len())?;
+    Ok(steps.remove(at))
 }
 
 fn within(at: usize, count: usize) -> Result<(), ProgramError> {

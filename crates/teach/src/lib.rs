@@ -58,6 +58,7 @@ mod read;
 mod recorded_path;
 mod round;
 mod step_table;
+mod taught_grid;
 pub mod vendor;
 
 pub use check::{Problem, Report, check};
@@ -72,3 +73,4 @@ pub use program::{
 };
 pub use program_form::ProgramForm;
 pub use recorded_path::{RecordedPlace, ToolState, path_steps, simplified};
+pub use taught_grid::TaughtGrid;

@@ -1,11 +1,13 @@
 //! Recorded paths, reduced to the fewest points within a tolerance.
 
+use dobot_arm::Position;
 use dobot_geometry::distance_from_chord;
 use dobot_wire::{MovingMode, Status};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
+use crate::axes::Axes;
 use crate::{Action, Go, Here, Place, Point};
 
 /// A place of a path: the position and the state of the tool.
@@ -42,6 +44,28 @@ impl RecordedPlace {
             position: self.point_mm.map(|point_mm| rounded(point_mm, 100.0)),
             rotation: Some(rounded(self.rotation_deg, 100.0)).filter(|rotation| *rotation != 0.0),
             frame: None,
+        }
+    }
+
+    /// The point in a frame.
+    pub(crate) fn point_in(&self, frame: &str, axes: &Axes) -> Point {
+        let [x, y, z] = self.point_mm;
+        let position = axes.locate(Position::new(x, y, z));
+        let turned = (self.rotation_deg - axes.rotation_deg() + 180.0).rem_euclid(360.0) - 180.0;
+        Point::Cartesian {
+            position: position.map(|along_mm| rounded(along_mm, 100.0)),
+            rotation: Some(rounded(turned, 100.0)).filter(|rotation| *rotation != 0.0),
+            frame: Some(frame.to_owned()),
+        }
+    }
+
+    /// The place of the tip of a tool that is this long, in mm.
+    #[must_use]
+    pub fn tip(self, length_mm: f64) -> Self {
+        let [x, y, z] = self.point_mm;
+        Self {
+            point_mm: [x, y, z - length_mm],
+            ..self
         }
     }
 
@@ -167,8 +191,8 @@ pub fn path_steps(places: &[RecordedPlace], mut before: ToolState) -> Vec<Action
     places.iter().map(step).collect()
 }
 
-/// Replaces a negative zero by zero.
-fn rounded(number: f64, parts: f64) -> f64 {
+/// Rounds to parts of one; replaces a negative zero by zero.
+pub(crate) fn rounded(number: f64, parts: f64) -> f64 {
     (number * parts).round() / parts + 0.0
 }
 

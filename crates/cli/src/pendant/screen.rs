@@ -99,7 +99,7 @@ const fn frame_name(frame: JogFrame) -> &'static str {
 
 /// The keys, and how this terminal reports them.
 fn keys_of(frame: &mut Frame, area: Rect, pendant: &Pendant) {
-    let mut lines = move_lines(pendant);
+    let mut lines = move_lines(pendant, ".");
     lines.push(key_line(&[("u j", "pump on, off"), ("q", "quit")]));
     lines.push(match pendant.hold.keys() {
         KeyReports::Releases => "the arm moves while a key is held".dim().into(),
@@ -110,15 +110,15 @@ fn keys_of(frame: &mut Frame, area: Rect, pendant: &Pendant) {
     panels::panel(frame, area, "keys", lines);
 }
 
-/// The keys that stop and move the arm.
-pub(crate) fn move_lines(pendant: &Pendant) -> Vec<Line<'static>> {
+/// The keys that stop and move the arm; `steps` is the key that toggles steps.
+pub(crate) fn move_lines(pendant: &Pendant, steps: &'static str) -> Vec<Line<'static>> {
     let [arrows, sides, pages] = match pendant.frame {
         JogFrame::Linear => ["x+ x-", "y+ y-", "z+ z-"],
         JogFrame::Joint => ["rear+ rear-", "base+ base-", "fore- fore+"],
     };
     let mut stops = vec![("Space Esc s", "STOP"), ("1 … 9 0", "speed")];
     if matches!(pendant.drive, Drive::Jog) {
-        stops.push((".", "steps of 1, of 0.1"));
+        stops.push((steps, "steps of 1, of 0.1"));
     }
     let mut lines = vec![
         key_line(&stops),

@@ -32,6 +32,11 @@ pub(crate) trait Panel {
         self.pendant().handle_event(now, event);
     }
 
+    /// Handles pasted text; returns whether it was taken as the text of a prompt. It is never a key.
+    fn handle_paste(&mut self, _: &str) -> bool {
+        false
+    }
+
     /// Handles a state of the station.
     fn handle_state(&mut self, state: State) {
         self.pendant().handle_state(state);
@@ -87,6 +92,7 @@ pub(crate) async fn run<P: Panel>(
             biased;
             () = &mut interrupt => panel.pendant().quit(),
             event = events.next() => match event.transpose()? {
+                Some(Event::Paste(text)) if panel.handle_paste(&text) => {}
                 Some(event) => {
                     for event in filter.handle_event(clock.now(), event) {
                         panel.handle_event(clock.now(), &event);

@@ -2,6 +2,8 @@
 
 mod keys;
 mod lesson;
+mod outline;
+mod prompt;
 mod screen;
 mod teacher;
 
@@ -31,14 +33,28 @@ Examples:
 
 Jog with the keys of `dobot jog`, while they are held; Space, Esc or s stops
 the arm.
+  /       steps of 1 and 0.1 mm or degrees
   Enter   add the current point as a step; m sets its path: jump, movl or movj
   u j     pump on or off, also in the program; t adds a pause of 0.5 s
   v       record the jogged path until v is pressed again, as straight lines
-  , .     select the previous or next step; < > move it; Del removes it;
-          z undoes, Z redoes
+  a       add, with a second key:
+            n   name of the point to which the selected step goes
+            r   repeat of the following steps: a count, or 0: forever
+            t   tool: c cup, g gripper, p pen, l laser; its length
+            g   grid: touch its first cell, the end of the first row and of the
+                first column with Enter; then its size, 3x4
+            f   frame of the next points: touch its origin, a place on its x
+                axis and one on the side of its y axis with Enter
+            c   call of another program
+  e       end the repeat, or the steps of a grid, after the selected step
+  , .     select the previous or next step; < > move it, also into and out of a
+          repeat; Del removes it; z undoes, Z redoes
   g l     run once, or repeatedly; h from this step on; n one step;
           p pauses, x ends
   w q     save, quit
+
+In a question, Space stops the arm, Esc stops it and leaves the question, and
+Backspace goes back. Text can be pasted there, and nowhere else.
 
 The button on the arm releases the motors, and the arm does not report that:
 what is turned by hand is not counted, and points taught afterwards are wrong.

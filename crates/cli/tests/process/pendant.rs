@@ -1,12 +1,10 @@
 //! An arm that is moved with keys, and what it gets.
 
-use std::time::Duration;
-
 use dobot_teach::Program;
 use dobot_wire::JointJogAxis::SuctionOn;
 use dobot_wire::{Command, JointJogAxis, LinearJogAxis, MouseMove};
 
-use crate::support::keys::{Bench, UP};
+use crate::support::keys::{Bench, LEFT, UP};
 use crate::support::program::{command, dobot};
 use crate::support::terminal::{Keyboard, Terminal};
 
@@ -57,21 +55,12 @@ fn a_program_is_taught_run_and_saved_with_keys() {
     let file = folder.path().join("cubes.toml");
     let name = file.to_str().expect("the path is text");
     let mut bench = Bench::new(&["teach", name], Keyboard::Plain);
-    let began_mm = bench.rests();
+    bench.rests();
     bench.terminal.types("\r");
     bench.terminal.shows("▶   1");
-    // On a busy machine a press may be over before the arm has moved.
-    while bench.rests() < began_mm + 1.0 {
-        bench.jogs_forward();
-        bench.gets_jog(LinearJogAxis::Released);
-    }
+    bench.jogs_by(UP, 0, 1.0);
     // The arm is seen at rest here before it is seen so there; Enter teaches a place once.
-    while !bench
-        .terminal
-        .shows_within(Duration::from_millis(500), "▶   2")
-    {
-        bench.terminal.types("\r");
-    }
+    bench.presses_until("\r", "▶   2");
     bench.terminal.types("u");
     let pump = |it: &Command| matches!(it, Command::JointJog(jog) if jog.axis == SuctionOn);
     bench.gets(pump);
@@ -98,6 +87,54 @@ fn a_program_is_taught_run_and_saved_with_keys() {
     assert_eq!(program.points.len(), 2, "{text}");
     assert_eq!(program.steps.0.len(), 3, "{text}");
     assert!(text.contains("suction = true"), "{text}");
+}
+
+#[test]
+fn a_grid_and_a_repeat_are_taught_with_keys_and_checked() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let file = folder.path().join("tray.toml");
+    let name = file.to_str().expect("the path is text");
+    let mut bench = Bench::new(&["teach", name], Keyboard::Plain);
+    bench.terminal.types("a");
+    bench.terminal.shows_one_of(&["add what?"]);
+    bench.terminal.types("r");
+    bench.terminal.shows_one_of(&["repeat how often?"]);
+    bench.answers("2");
+    bench
+        .terminal
+        .shows_one_of(&["repeat 2 times, from the next step on"]);
+    // Enter that is still held after an answer adds no point.
+    bench.presses_until("\r", "go = \"p1\"");
+    bench.terminal.types("a");
+    bench.terminal.shows_one_of(&["add what?"]);
+    bench.terminal.types("g");
+    bench.terminal.shows_one_of(&["name of the grid"]);
+    bench.answers("tray");
+    bench.terminal.shows_one_of(&["place 1 of 3"]);
+    bench.presses_until("\r", "place 2 of 3");
+    bench.jogs_by(UP, 0, 2.0);
+    bench.presses_until("\r", "place 3 of 3");
+    bench.jogs_by(LEFT, 1, 2.0);
+    bench.presses_until("\r", "cells in the first row");
+    bench.answers("2x2");
+    bench.terminal.shows_one_of(&["go = \"tray\""]);
+    bench.terminal.types("e");
+    bench.terminal.shows_one_of(&["the each ends here"]);
+    bench.terminal.types("e");
+    bench.terminal.shows_one_of(&["the repeat ends here"]);
+    bench.presses_until("\r", "go = \"p2\"");
+    bench.presses_until("w", "saved /");
+    bench.leaves();
+    let text = std::fs::read_to_string(&file).expect("it was saved");
+    let checked = dobot(&["check", name, "--json"]).succeeds().stdout;
+    let checked: serde_json::Value = serde_json::from_str(&checked).expect("it is JSON");
+    // Twice the point and four cells, then the last point.
+    assert_eq!(checked["steps"], 11, "{text}");
+    assert_eq!(
+        checked["report"]["problems"],
+        serde_json::json!([]),
+        "{text}"
+    );
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! An arm, and a person who moves it with keys.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use dobot_wire::{Command, LinearJogAxis};
 
@@ -47,18 +47,55 @@ impl Bench {
 
     /// Presses the arrow until the arm jogs by it: one press is over before an arm that runs down rests.
     pub(crate) fn jogs_forward(&mut self) {
+        self.jogs(UP, LinearJogAxis::XPlus);
+    }
+
+    fn jogs(&mut self, arrow: &str, axis: LinearJogAxis) {
         for _ in 0..50 {
-            self.terminal.types(UP);
+            self.terminal.types(arrow);
             let mut statuses = 0;
             while statuses < 4 {
                 match self.arm.next() {
                     Passed::FromArm(..) => statuses += 1,
-                    Passed::ToArm(_, it) if is_jog(&it, LinearJogAxis::XPlus) => return,
+                    Passed::ToArm(_, it) if is_jog(&it, axis) => return,
                     _ => {}
                 }
             }
         }
         panic!("the arm does not jog");
+    }
+
+    /// Presses an arrow until the arm rests at least this many mm farther along an axis: 0 for x, 1 for y.
+    pub(crate) fn jogs_by(&mut self, arrow: &str, axis: usize, by_mm: f32) {
+        let button = [LinearJogAxis::XPlus, LinearJogAxis::YPlus][axis];
+        let began_mm = self.rests_at()[axis];
+        // On a busy machine a press may be over before the arm has moved.
+        while self.rests_at()[axis] < began_mm + by_mm {
+            self.jogs(arrow, button);
+            self.gets_jog(LinearJogAxis::Released);
+        }
+    }
+
+    /// Presses a key again and again, as a person does who sees that nothing happens, until the screen shows a text.
+    pub(crate) fn presses_until(&mut self, key: &str, text: &str) {
+        const SEEN_WITHIN: Duration = Duration::from_millis(500);
+        for _ in 0..100 {
+            self.terminal.types(key);
+            if self.terminal.screen_shows_within(SEEN_WITHIN, text) {
+                return;
+            }
+        }
+        panic!("`{text}` is missing after {key:?}");
+    }
+
+    /// Answers a question with a text, letter by letter.
+    pub(crate) fn answers(&mut self, text: &str) {
+        for (at, letter) in text.char_indices() {
+            self.terminal.types(&letter.to_string());
+            self.terminal
+                .shows_one_of(&[&format!("{}█", &text[..at + letter.len_utf8()])]);
+        }
+        self.terminal.types("\r");
     }
 
     /// Waits for this many statuses, within which the arm gets no release.
@@ -78,6 +115,12 @@ impl Bench {
     /// Waits until the arm reports the same position for two seconds, and returns its x in mm: on a busy machine the program
     /// learns later that it rests.
     pub(crate) fn rests(&self) -> f32 {
+        let [x_mm, ..] = self.rests_at();
+        x_mm
+    }
+
+    /// The same, with its whole position.
+    pub(crate) fn rests_at(&self) -> [f32; 3] {
         let (mut last, mut same) = (None, 0);
         let until = Instant::now() + PATIENCE;
         while same < 25 {
@@ -88,7 +131,7 @@ impl Bench {
                 last = place;
             }
         }
-        last.map_or(f32::NAN, |[x_mm, _, _]| x_mm)
+        last.unwrap_or([f32::NAN; 3])
     }
 
     pub(crate) fn leaves(self) {
@@ -102,3 +145,4 @@ fn is_jog(command: &Command, axis: LinearJogAxis) -> bool {
 
 /// The arrow as most terminals send it.
 pub(crate) const UP: &str = "\x1b[A";
+pub(crate) const LEFT: &str = "\x1b[D";

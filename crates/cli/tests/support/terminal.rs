@@ -122,6 +122,21 @@ impl Terminal {
         }
     }
 
+    /// Whether the screen as a whole shows a text within this time.
+    pub(crate) fn screen_shows_within(&mut self, time: Duration, text: &str) -> bool {
+        let until = Instant::now() + time;
+        loop {
+            if self.screen.screen().contents().contains(text) {
+                return true;
+            }
+            let left = until.saturating_duration_since(Instant::now());
+            match self.shown.recv_timeout(left) {
+                Ok(more) => self.read(&more),
+                Err(_) => return false,
+            }
+        }
+    }
+
     fn read(&mut self, more: &str) {
         self.screen.process(more.as_bytes());
         self.unread.push_str(more);

@@ -1,12 +1,14 @@
 //! The resolution of places to coordinates.
 
+use std::collections::BTreeMap;
+
 use dobot_arm::{Degrees, Joints, Pose, Position, forward};
 
 use super::Scope;
 use super::state::State;
 use crate::axes::Axes;
 use crate::program::{Frame, Grid, Offset};
-use crate::{Place, Point};
+use crate::{MountedTool, Place, Point, Program, ProgramError, RecordedPlace};
 
 /// A resolved place: taught joint angles, or a pose of the wrist.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,6 +60,33 @@ impl Spot {
             to: SpotKind::Wrist(Pose { position, ..pose }),
             ..self
         }
+    }
+}
+
+impl Program {
+    /// Returns a place, that of the tip of the mounted tool, as a point in a frame of the program.
+    ///
+    /// # Errors
+    ///
+    /// [`ProgramError`] if there is no such frame, or its points lie on one line.
+    pub fn point_in(
+        &self,
+        frame: &str,
+        tip: &RecordedPlace,
+        tool: Option<&MountedTool>,
+    ) -> Result<Point, ProgramError> {
+        let mut state = State::new(None);
+        if let Some(tool) = tool {
+            state.mount(tool);
+        }
+        let scope = Scope {
+            program: self,
+            path: None,
+            file: None,
+            cells: BTreeMap::new(),
+        };
+        let axes = scope.axes(frame, &state).map_err(ProgramError::new)?;
+        Ok(tip.point_in(frame, &axes))
     }
 }
 

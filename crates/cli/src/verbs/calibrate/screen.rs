@@ -47,7 +47,7 @@ pub(super) fn draw_touching(
         panels::arm(frame, arm, state);
     }
     panels::panel(frame, touches, title, result);
-    let mut help = move_lines(pendant);
+    let mut help = move_lines(pendant, ".");
     let keys_of_touching = [
         ("Enter", "touched"),
         ("n", "skip"),

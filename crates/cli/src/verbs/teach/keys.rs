@@ -27,6 +27,12 @@ pub(crate) enum TeachKey {
     Redo,
     /// Add a pause.
     Pause,
+    /// Ask what else to add: a name, a repeat, a tool, a grid, a frame or a call.
+    Add,
+    /// End the repeat around the selected step.
+    EndBlock,
+    /// Toggle between steps and continuous motion.
+    Steps,
     /// Start or end the recording of the jogged path.
     Record,
     /// Switch the pump, also in the program.
@@ -72,6 +78,10 @@ fn letter_key(letter: char) -> Option<TeachKey> {
         '>' | ':' => TeachKey::Shift { down: true },
         'z' => TeachKey::Undo,
         't' => TeachKey::Pause,
+        'a' => TeachKey::Add,
+        'e' => TeachKey::EndBlock,
+        // In `dobot jog` it is the key beside, which selects a step here.
+        '/' => TeachKey::Steps,
         'v' => TeachKey::Record,
         'u' => TeachKey::Suction(true),
         'j' => TeachKey::Suction(false),

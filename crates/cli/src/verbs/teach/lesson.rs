@@ -1,14 +1,19 @@
 //! The program that is being taught.
 
-use dobot_host::PlannedFor;
-use std::collections::BTreeMap;
+mod blocks;
+mod names;
+mod run;
 
-use dobot_api::NewJob;
 use dobot_teach::{
-    Action, Compiled, Files, Go, Here, Point, Problem, Program, ProgramDocument, ProgramError,
-    RecordedPlace, Steps, Times, ToolState, check, path_steps,
+    Action, Go, Here, MountedTool, Program, ProgramDocument, ProgramError, RecordedPlace, Times,
+    ToolState, path_steps,
 };
 use dobot_wire::MovingMode;
+
+use super::outline::{Row, RowKind, outline};
+
+pub(crate) use self::names::{GridUse, TouchedGrid};
+pub(crate) use self::run::Part;
 
 /// A program with a cursor and an undo history.
 #[derive(Debug)]
@@ -16,7 +21,12 @@ pub(crate) struct Lesson {
     title: String,
     /// `None` before the first point: a program has at least one step.
     document: Option<ProgramDocument>,
+    /// The selected row of the [`outline`].
     cursor: usize,
+    /// A repeat that begins with the next step.
+    begun: Option<Times>,
+    /// The frame in which points are taught.
+    frame: Option<String>,
     done: Vec<Done>,
     undone: Vec<Undone>,
     saved: String,
@@ -42,17 +52,6 @@ struct Undone {
     cursor: usize,
 }
 
-/// The part of a program to run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
-    /// The whole program, with its own repetitions.
-    All,
-    /// The whole program, until a person ends it.
-    Loop,
-    /// From the selected step on.
-    FromHere,
-}
-
 impl Lesson {
     /// Creates a new program.
     pub(crate) const fn new(title: String) -> Self {
@@ -60,6 +59,8 @@ impl Lesson {
             title,
             document: None,
             cursor: 0,
+            begun: None,
+            frame: None,
             done: Vec::new(),
             undone: Vec::new(),
             saved: String::new(),
@@ -74,7 +75,7 @@ impl Lesson {
     pub(crate) fn of_text(text: &str) -> Result<Self, ProgramError> {
         let document = ProgramDocument::new(text)?;
         Ok(Self {
-            cursor: document.steps().saturating_sub(1),
+            cursor: outline(&document.program()?).len() - 1,
             saved: document.text(),
             document: Some(document),
             ..Self::new(String::new())
@@ -88,6 +89,12 @@ impl Lesson {
             .map_or_else(String::new, ProgramDocument::text)
     }
 
+    /// The current program; without steps before the first point.
+    pub(crate) fn program(&self) -> Program {
+        let program = self.document.as_ref().map(ProgramDocument::program);
+        program.and_then(Result::ok).unwrap_or_default()
+    }
+
     /// Whether the program has unsaved changes.
     pub(crate) fn is_changed(&self) -> bool {
         self.text() != self.saved
@@ -98,20 +105,21 @@ impl Lesson {
         self.saved = text;
     }
 
-    /// The steps, one line each, as in the text.
-    pub(crate) fn lines(&self) -> Vec<String> {
-        let steps = self.steps();
-        steps.0.iter().map(|step| line(step.get_ref())).collect()
+    /// The rows of the list, each with its number and its text.
+    pub(crate) fn rows(&self) -> Vec<(String, String)> {
+        let program = self.program();
+        let rows = outline(&program);
+        rows.iter().map(|row| (row.number(), row.text())).collect()
     }
 
-    /// The selected step, after which new ones are added.
+    /// The selected row, after which new steps are added.
     pub(crate) const fn cursor(&self) -> usize {
         self.cursor
     }
 
-    /// Selects the previous or next step.
+    /// Selects the previous or next row.
     pub(crate) fn move_cursor(&mut self, down: bool) {
-        let last = self.count().saturating_sub(1);
+        let last = outline(&self.program()).len() - 1;
         self.cursor = if down {
             (self.cursor + 1).min(last)
         } else {
@@ -126,49 +134,34 @@ impl Lesson {
         path: MovingMode,
     ) -> Result<String, ProgramError> {
         let name = self.free_name();
+        let program = self.program();
+        let tip = self.tip(place);
+        let point = match self.frame() {
+            Some(frame) => program.point_in(frame, &tip, self.mounted(&program))?,
+            None => tip.point(),
+        };
         let go = Go {
             path,
             then: self.changed_tool(place),
             ..Go::to(name.as_str())
         };
-        if self.document.is_none() {
-            let points = BTreeMap::from([(name.clone(), place.point())]);
-            self.begin(points, vec![Action::Go(go)])?;
-            return Ok(name);
-        }
-        self.change(|document, at| {
-            document.set_point(&name, &place.point())?;
-            document.insert(at, Action::Go(go))?;
-            Ok(Edited {
-                changes: 2,
-                cursor: at,
-            })
+        self.add(vec![Action::Go(go)], |document| {
+            document.set_point(&name, &point).map(|()| 1)
         })?;
         Ok(name)
     }
 
     /// Adds a jogged path as straight lines through its positions.
     pub(crate) fn add_path(&mut self, places: &[RecordedPlace]) -> Result<(), ProgramError> {
-        let actions = path_steps(places, self.tool_before());
-        if self.document.is_none() {
-            return self.begin(BTreeMap::new(), actions);
-        }
-        self.change(|document, at| {
-            let changes = actions.len();
-            for (index, action) in actions.into_iter().enumerate() {
-                document.insert(at + index, action)?;
-            }
-            Ok(Edited {
-                changes,
-                cursor: at + changes.saturating_sub(1),
-            })
-        })
+        let length_mm = self.length_mm();
+        let tips: Vec<_> = places.iter().map(|place| place.tip(length_mm)).collect();
+        self.add(path_steps(&tips, self.tool_before()), |_| Ok(0))
     }
 
     /// Adds a switch of the pump, unless there is no point yet or the program has already switched it.
     /// Returns whether it was added.
     pub(crate) fn switch_suction(&mut self, on: bool) -> Result<bool, ProgramError> {
-        if self.document.is_none() || self.tool_before().suction == on {
+        if self.document.is_none() || self.is_switched(on) {
             return Ok(false);
         }
         let here = Here {
@@ -176,48 +169,23 @@ impl Lesson {
             gripper: None,
             pause: Some(GRIP_S),
         };
-        self.insert(Action::Here(here)).map(|()| true)
+        let added = self.add(vec![Action::Here(here)], |_| Ok(0));
+        added.map(|()| true)
     }
 
     /// Adds a pause.
     pub(crate) fn pause(&mut self) -> Result<(), ProgramError> {
-        self.insert(Action::Here(WAIT))
-    }
-
-    /// Removes the selected step.
-    pub(crate) fn remove(&mut self) -> Result<(), ProgramError> {
-        let cursor = self.cursor;
-        self.change(|document, _| {
-            document.remove(cursor)?;
-            Ok(Edited {
-                changes: 1,
-                cursor: cursor.min(document.steps().saturating_sub(1)),
-            })
-        })
-    }
-
-    /// Moves the selected step up or down.
-    pub(crate) fn shift(&mut self, down: bool) -> Result<(), ProgramError> {
-        let from = self.cursor;
-        let to = if down {
-            Some(from + 1)
-        } else {
-            from.checked_sub(1)
-        };
-        let Some(to) = to.filter(|index| *index < self.count()) else {
-            return Ok(());
-        };
-        self.change(|document, _| {
-            document.move_step(from, to)?;
-            Ok(Edited {
-                changes: 1,
-                cursor: to,
-            })
-        })
+        if self.document.is_none() {
+            return Err(nothing_yet());
+        }
+        self.add(vec![Action::Here(WAIT)], |_| Ok(0))
     }
 
     /// Undoes the change of the last key; returns `false` if there is none.
     pub(crate) fn undo(&mut self) -> bool {
+        if self.begun.take().is_some() {
+            return true;
+        }
         let Some(done) = self.done.pop() else {
             return false;
         };
@@ -255,140 +223,102 @@ impl Lesson {
         true
     }
 
-    /// Creates the job of a part of the program; `files` provides called programs and drawings. Selects a step that
-    /// cannot be executed.
-    ///
-    /// # Errors
-    ///
-    /// The reason why it cannot be run, in one line.
-    pub(crate) fn job(
+    /// The kind and the path of the selected row.
+    fn selected(&self) -> (RowKind, Vec<usize>) {
+        let program = self.program();
+        let row = outline(&program).into_iter().nth(self.cursor);
+        row.map_or((RowKind::Start, Vec::new()), |row| (row.kind, row.path))
+    }
+
+    /// The path at which the next step is inserted.
+    fn next_path(&self) -> Vec<usize> {
+        let program = self.program();
+        let rows = outline(&program);
+        rows.get(self.cursor).map_or_else(|| vec![0], Row::next)
+    }
+
+    /// Adds steps after the cursor and selects the last one; `names` first adds the names that they use, and returns
+    /// the number of its edits. Puts them into the repeat that was begun.
+    fn add(
         &mut self,
-        part: Part,
-        files: &mut dyn Files,
-        arm: &PlannedFor,
-    ) -> Result<NewJob, String> {
-        let program = self.program().ok_or("the program has no step yet")?;
-        let compiled = match part {
-            Part::Loop => compile(&looped(program.clone()), arm, files)?,
-            Part::All => compile(&program, arm, files)?,
-            Part::FromHere => {
-                let line = program
-                    .steps
-                    .0
-                    .get(self.cursor)
-                    .map(|step| program.line_of(step));
-                let compiled = compile(&program, arm, files)?;
-                let here = |step: &dobot_teach::CompiledStep| {
-                    step.file.is_none() && Some(step.line) >= line
-                };
-                let step = compiled.steps.iter().position(here);
-                let rest = step.and_then(|index| compiled.from_step(index));
-                rest.ok_or("the program does nothing from this step on")?
-            }
-        };
-        let report = check(&compiled, &arm.rules.policy, arm.model());
-        if let Some(first) = report.problems.first() {
-            let own = program.steps.0.iter();
-            let mut lines = own.map(|step| program.line_of(step));
-            if first.file.is_none()
-                && let Some(at) = lines.rposition(|line| line <= first.line)
-            {
-                self.cursor = at;
-            }
-            return Err(problem_text(first, report.problems.len() - 1));
-        }
-        let mut job = compiled.job();
-        if job.title.is_empty() {
-            job.title.push_str("a taught program");
-        }
-        Ok(job)
-    }
-
-    fn program(&self) -> Option<Program> {
-        self.document.as_ref()?.program().ok()
-    }
-
-    fn steps(&self) -> Steps {
-        self.program()
-            .map_or_else(Steps::default, |program| program.steps)
-    }
-
-    fn count(&self) -> usize {
-        self.document.as_ref().map_or(0, ProgramDocument::steps)
-    }
-
-    fn begin(
-        &mut self,
-        points: BTreeMap<String, Point>,
         actions: Vec<Action>,
+        names: impl FnOnce(&mut ProgramDocument) -> Result<usize, ProgramError>,
     ) -> Result<(), ProgramError> {
-        let mut program = Program::new(actions.clone());
-        program.title.clone_from(&self.title);
-        if !points.is_empty() {
-            // No step may name a point that does not exist yet.
-            program.steps = Steps::new(vec![Action::Here(WAIT)]);
+        let at = self.next_path();
+        if let Some(times) = self.begun {
+            blocks::check_endless(times, &at)?;
         }
-        let mut document = ProgramDocument::new(&program.to_toml())?;
-        for (name, point) in points {
-            document.set_point(&name, &point)?;
-        }
-        let last = actions.len().saturating_sub(1);
-        for (at, action) in actions.into_iter().enumerate() {
-            if at < document.steps() {
-                document.replace(at, action)?;
-            } else {
-                document.insert(at, action)?;
+        let (mut document, is_new) = match &self.document {
+            Some(document) => (document.clone(), false),
+            None => (self.blank()?, true),
+        };
+        let mut changes = names(&mut document)?;
+        let (mut path, mut last) = (at.clone(), at.clone());
+        for action in actions {
+            document.insert(&path, action)?;
+            changes += 1;
+            last.clone_from(&path);
+            if let Some(index) = path.last_mut() {
+                *index += 1;
             }
         }
+        if is_new {
+            document.remove(&path)?;
+            changes = 0;
+        }
+        if let Some(times) = self.begun {
+            document.repeat(&at, times)?;
+            changes += usize::from(!is_new);
+            last = inside(&at, &last);
+        }
+        self.begun = None;
+        self.handle_changed(document, &Edited::at(changes, last));
+        Ok(())
+    }
+
+    /// Edits the program, as one change to undo.
+    fn change(
+        &mut self,
+        edit: impl FnOnce(&mut ProgramDocument) -> Result<Edited, ProgramError>,
+    ) -> Result<(), ProgramError> {
+        let Some(document) = &self.document else {
+            return Err(nothing_yet());
+        };
+        let mut document = document.clone();
+        let edited = edit(&mut document)?;
+        self.handle_changed(document, &edited);
+        Ok(())
+    }
+
+    fn handle_changed(&mut self, document: ProgramDocument, edited: &Edited) {
         self.document = Some(document);
         self.undone.clear();
         self.done.push(Done {
-            changes: 0,
-            cursor: 0,
-        });
-        self.cursor = last;
-        Ok(())
-    }
-
-    fn insert(&mut self, action: Action) -> Result<(), ProgramError> {
-        self.change(|document, at| {
-            document.insert(at, action)?;
-            Ok(Edited {
-                changes: 1,
-                cursor: at,
-            })
-        })
-    }
-
-    /// Edits the program after the cursor, as one change to undo.
-    fn change(
-        &mut self,
-        edit: impl FnOnce(&mut ProgramDocument, usize) -> Result<Edited, ProgramError>,
-    ) -> Result<(), ProgramError> {
-        let next = (self.cursor + 1).min(self.count());
-        let Some(document) = &mut self.document else {
-            return Err(nothing_yet());
-        };
-        let mut edited = document.clone();
-        let Edited { changes, cursor } = edit(&mut edited, next)?;
-        *document = edited;
-        self.undone.clear();
-        self.done.push(Done {
-            changes,
+            changes: edited.changes,
             cursor: self.cursor,
         });
-        self.cursor = cursor;
-        Ok(())
+        let program = self.program();
+        let mut rows = outline(&program).into_iter();
+        let selected = rows.position(|row| {
+            let is_end = row.kind == RowKind::End;
+            row.path == edited.path && is_end == edited.is_end
+        });
+        self.cursor = selected.unwrap_or(self.cursor);
+    }
+
+    /// A program without points, whose only step is a placeholder: a text has at least one step.
+    fn blank(&self) -> Result<ProgramDocument, ProgramError> {
+        let mut program = Program::new(vec![Action::Here(WAIT)]);
+        program.title.clone_from(&self.title);
+        ProgramDocument::new(&program.to_toml())
     }
 
     /// An unused name for a point.
     fn free_name(&self) -> String {
-        let points = self
-            .program()
-            .map(|program| program.points)
-            .unwrap_or_default();
-        let names = (1..=points.len() + 1).map(|number| format!("p{number}"));
-        let mut free = names.filter(|name| !points.contains_key(name));
+        let Program { points, grids, .. } = self.program();
+        let count = points.len() + grids.len();
+        let names = (1..=count + 1).map(|number| format!("p{number}"));
+        let mut free = names.filter(|name| !points.contains_key(name) && !grids.contains_key(name));
         free.next().unwrap_or_default()
     }
 
@@ -396,67 +326,107 @@ impl Lesson {
         self.tool_before().changes_to(place)
     }
 
-    /// The state of the tool after the selected step.
+    /// Whether the pump is in this state after the selected row. In a repeat, only steps of the repeat count: its
+    /// second cycle begins with the state of its end.
+    fn is_switched(&self, on: bool) -> bool {
+        let program = self.program();
+        let at = self.next_path();
+        let block = &at[..at.len() - 1];
+        let rows = outline(&program).into_iter().take(self.cursor + 1);
+        let inside = rows.filter(|row| row.kind == RowKind::Step && row.path.starts_with(block));
+        let mut switched = inside.filter_map(|row| match row.step?.get_ref() {
+            Action::Go(go) => go.then.suction,
+            Action::Here(here) => here.suction,
+            _ => None,
+        });
+        let is_new_block = self.begun.is_some();
+        let at_start = (block.is_empty() && !is_new_block).then_some(false);
+        let last = switched.next_back().filter(|_| !is_new_block);
+        last.or(at_start) == Some(on)
+    }
+
+    /// The state of the tool after the selected row.
     fn tool_before(&self) -> ToolState {
-        let steps = self.steps();
-        let until = (self.cursor + 1).min(steps.0.len());
-        ToolState::behind(&steps.0[..until])
+        let program = self.program();
+        let thens = self
+            .actions_before(&program)
+            .filter_map(|action| match action {
+                Action::Go(go) => Some(go.then),
+                Action::Here(here) => Some(*here),
+                _ => None,
+            });
+        thens.fold(ToolState::default(), ToolState::after)
+    }
+
+    /// The place of the tip at a place of the wrist.
+    fn tip(&self, place: &RecordedPlace) -> RecordedPlace {
+        place.tip(self.length_mm())
+    }
+
+    /// The length of the tool that is mounted after the selected row.
+    fn length_mm(&self) -> f64 {
+        self.mounted(&self.program())
+            .map_or(0.0, |tool| tool.length)
+    }
+
+    /// The tool that is mounted after the selected row.
+    fn mounted<'a>(&self, program: &'a Program) -> Option<&'a MountedTool> {
+        let tools = self
+            .actions_before(program)
+            .filter_map(|action| match action {
+                Action::Tool(name) => program.tools.get(name),
+                _ => None,
+            });
+        tools.last()
+    }
+
+    /// The steps up to the selected row, in the order of the text.
+    fn actions_before<'a>(&self, program: &'a Program) -> impl Iterator<Item = &'a Action> {
+        let rows = outline(program).into_iter().take(self.cursor + 1);
+        let steps = rows.filter(|row| row.kind == RowKind::Step);
+        steps.filter_map(|row| row.step.map(toml::Spanned::get_ref))
     }
 }
 
-/// The result of an edit: the number of edits of the text, and the new cursor.
+/// The result of an edit.
 struct Edited {
+    /// The number of edits of the text.
     changes: usize,
-    cursor: usize,
+    /// The path of the new cursor.
+    path: Vec<usize>,
+    /// Whether the cursor is at the end of the repeat at this path.
+    is_end: bool,
 }
 
-/// Repeats a whole program forever.
-fn looped(mut program: Program) -> Program {
-    let repeats = |action: &Action| matches!(action, Action::Repeat(Times::Forever, _));
-    if !program
-        .steps
-        .0
-        .last()
-        .is_some_and(|step| repeats(step.get_ref()))
-    {
-        let steps = std::mem::take(&mut program.steps);
-        program.steps = Steps::new(vec![Action::Repeat(Times::Forever, steps)]);
+impl Edited {
+    /// Edits after which the cursor is on a step.
+    const fn at(changes: usize, path: Vec<usize>) -> Self {
+        Self {
+            changes,
+            path,
+            is_end: false,
+        }
     }
-    program
-}
 
-/// Formats the first problem and the number of others.
-fn problem_text(first: &Problem, more: usize) -> String {
-    let Problem {
-        step,
-        message,
-        remedy,
-        ..
-    } = first;
-    let text = format!("step {step}: {message}; {remedy}");
-    match more {
-        0 => text,
-        more => format!("{text} (and {more} more: `dobot check` lists them)"),
+    /// One edit after which the cursor is where it was.
+    fn on((kind, path): (RowKind, Vec<usize>)) -> Self {
+        Self {
+            changes: 1,
+            path,
+            is_end: kind == RowKind::End,
+        }
     }
 }
 
-fn compile(program: &Program, arm: &PlannedFor, files: &mut dyn Files) -> Result<Compiled, String> {
-    let compiled = program.compile_for(&arm.arm(), files);
-    compiled.map_err(|error| error.to_string())
+/// The path of a step after those from `at` on were put into a repeat.
+fn inside(at: &[usize], path: &[usize]) -> Vec<usize> {
+    let depth = at.len() - 1;
+    let index = path[depth] - at[depth];
+    [at, &[index], &path[depth + 1..]].concat()
 }
 
 fn nothing_yet() -> ProgramError {
     ProgramError::new("the program has no step yet; add a point first")
-}
-
-/// `go = "p1", path = "movl"`
-fn line(action: &Action) -> String {
-    let text = Program::new(vec![action.clone()]).to_toml();
-    let lines = text.lines().map(str::trim);
-    let lines: Vec<&str> = lines
-        .filter(|line| !line.is_empty() && *line != "[[steps]]")
-        .collect();
-    lines.join(", ")
 }
 
 /// The pause after switching the pump, in seconds.
@@ -473,8 +443,11 @@ mod tests {
     use dobot_teach::NoFiles;
     use dobot_wire::Command;
 
-    use dobot_host::Rules;
+    use dobot_api::NewJob;
+    use dobot_arm::Tool;
+    use dobot_host::{PlannedFor, Rules};
     use dobot_safety::Policy;
+    use dobot_teach::Point;
 
     use super::*;
 
@@ -484,6 +457,34 @@ mod tests {
             rotation_deg: 0.0,
             suction,
             gripper_deg: 0.0,
+        }
+    }
+
+    /// The texts of the rows after the start.
+    fn lines(it: &Lesson) -> Vec<String> {
+        let rows = it.rows().into_iter().skip(1);
+        rows.map(|(_, text)| text).collect()
+    }
+
+    /// The x of the targets of a run.
+    fn run(it: &mut Lesson) -> Vec<f32> {
+        let job = it.job(Part::All, &mut NoFiles, &any_arm()).unwrap();
+        targets(&job)
+    }
+
+    fn capture(it: &mut Lesson, x: f64) {
+        it.capture(&place(x, false), MovingMode::Jump).unwrap();
+    }
+
+    /// Selects a row by a part of its text.
+    fn select(it: &mut Lesson, part: &str) {
+        let at = it.rows().iter().position(|row| row.1.contains(part));
+        let at = at.unwrap_or_else(|| panic!("{part} is missing: {:?}", it.rows()));
+        while it.cursor() > at {
+            it.move_cursor(false);
+        }
+        while it.cursor() < at {
+            it.move_cursor(true);
         }
     }
 
@@ -509,12 +510,12 @@ mod tests {
         assert!(it.text().contains("p1 = { x = 200"), "{}", it.text());
         assert_eq!(program.points["p1"], Point::xyz(200.0, 0.0, 10.0));
         assert_eq!(program.points["p2"], Point::xyz(250.0, 0.0, 10.0));
-        let lines = it.lines();
+        let lines = lines(&it);
         assert_eq!(lines.len(), 4, "{lines:?}");
         assert!(lines[0].contains("go = \"p1\""), "{lines:?}");
         assert!(lines[1].contains("suction = true"), "{lines:?}");
         assert!(!lines[2].contains("suction"), "it is on already: {lines:?}");
-        assert_eq!(it.cursor(), 3);
+        assert_eq!(it.cursor(), 4);
     }
 
     #[test]
@@ -539,11 +540,11 @@ mod tests {
         it.move_cursor(false);
         it.move_cursor(false);
         it.capture(&place(220.0, true), MovingMode::MovL).unwrap();
-        assert_eq!(it.cursor(), 2);
-        assert!(it.lines()[2].contains("p3"), "{:?}", it.lines());
-        it.shift(true).unwrap();
         assert_eq!(it.cursor(), 3);
-        assert!(it.lines()[3].contains("p3"), "{:?}", it.lines());
+        assert!(lines(&it)[2].contains("p3"), "{:?}", lines(&it));
+        it.shift(true).unwrap();
+        assert_eq!(it.cursor(), 4);
+        assert!(lines(&it)[3].contains("p3"), "{:?}", lines(&it));
     }
 
     #[test]
@@ -551,7 +552,7 @@ mod tests {
         let mut it = Lesson::new(String::new());
         assert!(!it.switch_suction(true).unwrap());
         it.capture(&place(200.0, true), MovingMode::Jump).unwrap();
-        assert!(it.lines()[0].contains("suction = true"), "{:?}", it.lines());
+        assert!(lines(&it)[0].contains("suction = true"), "{:?}", lines(&it));
         assert!(!it.switch_suction(true).unwrap());
     }
 
@@ -628,7 +629,289 @@ mod tests {
             it.move_cursor(true);
             let why = it.job(part, &mut NoFiles, &arm).unwrap_err();
             assert!(why.starts_with("step 2: "), "{why}");
-            assert_eq!(it.cursor(), 1);
+            assert_eq!(it.cursor(), 2);
         }
+    }
+
+    #[test]
+    fn a_step_is_added_before_the_first_one_from_the_start() {
+        let mut it = pick_and_place();
+        select(&mut it, "start");
+        capture(&mut it, 180.0);
+        assert_eq!(run(&mut it)[..2], [180.0, 200.0]);
+        assert_eq!(it.cursor(), 1);
+    }
+
+    #[test]
+    fn a_point_is_named_also_after_the_pump_was_switched() {
+        let mut it = pick_and_place();
+        let last = it.last_point().unwrap();
+        it.rename_point(&last, "tray").unwrap();
+        assert!(lines(&it)[2].contains("go = \"tray\""), "{:?}", lines(&it));
+        assert_eq!(it.cursor(), 4, "the cursor stays");
+        assert!(it.text().contains("tray = { x = 250"), "{}", it.text());
+        let error = it.rename_point("tray", "p1").unwrap_err().to_string();
+        assert!(error.contains("already a point"), "{error}");
+        assert!(it.undo());
+        assert_eq!(it.text(), pick_and_place().text());
+    }
+
+    #[test]
+    fn a_repeat_begins_with_the_next_step_and_ends_after_the_selected_one() {
+        let mut it = Lesson::new("t".into());
+        capture(&mut it, 200.0);
+        assert!(!it.begin_repeat(Times::Count(3)).unwrap());
+        assert!(it.end_block().is_err(), "it has no step");
+        capture(&mut it, 210.0);
+        capture(&mut it, 220.0);
+        assert_eq!(it.end_block().unwrap(), "repeat");
+        capture(&mut it, 230.0);
+        let expected = [
+            "go = \"p1\"",
+            "repeat = 3",
+            "  go = \"p2\"",
+            "  go = \"p3\"",
+            "end of repeat",
+            "go = \"p4\"",
+        ];
+        assert_eq!(lines(&it), expected);
+        let cycle = [210.0, 220.0];
+        let all = [&[200.0][..], &cycle, &cycle, &cycle, &[230.0]].concat();
+        assert_eq!(run(&mut it), all);
+    }
+
+    #[test]
+    fn a_repeat_is_put_around_steps_that_were_taught() {
+        let mut it = Lesson::new("t".into());
+        for x in [200.0, 210.0, 220.0, 230.0] {
+            capture(&mut it, x);
+        }
+        select(&mut it, "p1");
+        assert!(it.begin_repeat(Times::Count(2)).unwrap());
+        select(&mut it, "p3");
+        it.end_block().unwrap();
+        assert_eq!(run(&mut it), [200.0, 210.0, 220.0, 210.0, 220.0, 230.0]);
+        select(&mut it, "repeat = 2");
+        it.shift(true).unwrap();
+        // A repeat at the end is not expanded.
+        assert_eq!(run(&mut it), [200.0, 230.0, 210.0, 220.0]);
+        while it.undo() {}
+        assert_eq!(it.text(), "");
+    }
+
+    #[test]
+    fn the_first_step_of_a_program_may_be_in_a_repeat() {
+        let mut it = Lesson::new("t".into());
+        it.begin_repeat(Times::Count(2)).unwrap();
+        capture(&mut it, 200.0);
+        assert!(it.undo());
+        assert_eq!(it.text(), "");
+        assert!(it.redo());
+        assert_eq!(lines(&it), ["repeat = 2", "  go = \"p1\"", "end of repeat"]);
+        it.begin_repeat(Times::Count(5)).unwrap();
+        assert!(it.undo(), "a repeat without a step is dropped");
+        assert_eq!(it.begun(), None);
+        assert_eq!(lines(&it).len(), 3);
+    }
+
+    #[test]
+    fn steps_move_into_a_repeat_and_out_of_it() {
+        let mut it = Lesson::new("t".into());
+        for x in [200.0, 210.0, 220.0] {
+            capture(&mut it, x);
+        }
+        select(&mut it, "p2");
+        it.begin_repeat(Times::Count(2)).unwrap();
+        select(&mut it, "p2");
+        let mut seen = Vec::new();
+        for down in [true, true, true, false, false, false] {
+            it.shift(down).unwrap();
+            let position = lines(&it).iter().position(|line| line.contains("p2"));
+            assert_eq!(position.map(|row| row + 1), Some(it.cursor()));
+            seen.push(position);
+        }
+        let expected = [2, 3, 4, 3, 2, 1].map(Some);
+        assert_eq!(seen, expected);
+        select(&mut it, "p3");
+        let error = it.remove().unwrap_err().to_string();
+        assert!(error.contains("only step of the repeat"), "{error}");
+        select(&mut it, "repeat");
+        it.remove().unwrap();
+        assert_eq!(lines(&it).len(), 2);
+    }
+
+    #[test]
+    fn an_endless_repeat_is_the_last_step_of_a_program() {
+        let mut it = Lesson::new("t".into());
+        it.begin_repeat(Times::Forever).unwrap();
+        capture(&mut it, 200.0);
+        let error = it.end_block().unwrap_err().to_string();
+        assert!(error.contains("nothing can follow"), "{error}");
+        let error = it.begin_repeat(Times::Forever).unwrap_err().to_string();
+        assert!(error.contains("enter a count"), "{error}");
+        assert_eq!(lines(&it), ["repeat = \"forever\"", "  go = \"p1\""]);
+        let job = it.job(Part::All, &mut NoFiles, &any_arm()).unwrap();
+        assert_eq!(job.program.repeat.map(|repeat| repeat.times), Some(None));
+    }
+
+    #[test]
+    fn the_pump_is_switched_in_every_cycle_of_a_repeat() {
+        let mut it = Lesson::new("t".into());
+        capture(&mut it, 200.0);
+        assert!(it.switch_suction(true).unwrap());
+        it.begin_repeat(Times::Count(2)).unwrap();
+        assert!(
+            it.switch_suction(true).unwrap(),
+            "it may be off in the second cycle"
+        );
+        assert!(!it.switch_suction(true).unwrap());
+        assert!(it.switch_suction(false).unwrap());
+    }
+
+    #[test]
+    fn points_after_a_tool_are_those_of_its_tip() {
+        let mut it = Lesson::new("t".into());
+        let tool = MountedTool {
+            kind: Tool::Gripper,
+            length: 40.0,
+        };
+        assert!(!it.add_tool(tool).unwrap());
+        capture(&mut it, 200.0);
+        it.add_path(&[place(210.0, false), place(220.0, false)])
+            .unwrap();
+        assert_eq!(it.program().points["p1"], Point::xyz(200.0, 0.0, -30.0));
+        assert!(
+            it.text()
+                .contains("gripper = { kind = \"gripper\", length = 40.0 }"),
+            "{}",
+            it.text()
+        );
+        let job = it.job(Part::All, &mut NoFiles, &any_arm()).unwrap();
+        let heights = job.commands.iter().filter_map(|command| match command {
+            Command::MoveTo(target) => Some(target.z_mm),
+            _ => None,
+        });
+        assert_eq!(
+            heights.collect::<Vec<_>>(),
+            [10.0; 3],
+            "the wrist goes where it was"
+        );
+        // Another length for points that were taught already.
+        select(&mut it, "start");
+        let longer = MountedTool {
+            length: 60.0,
+            ..tool
+        };
+        assert!(it.add_tool(longer).unwrap());
+        assert!(lines(&it)[0].contains("gripper2"), "{:?}", lines(&it));
+    }
+
+    fn corner(x: f64, y: f64) -> RecordedPlace {
+        RecordedPlace {
+            point_mm: [x, y, 10.0],
+            ..place(0.0, false)
+        }
+    }
+
+    fn tray(name: &str, columns: u32, y: f64) -> TouchedGrid {
+        TouchedGrid {
+            name: name.to_owned(),
+            corners: [corner(200.0, y), corner(220.0, y), corner(200.0, y + 30.0)],
+            columns,
+            rows: 2,
+        }
+    }
+
+    #[test]
+    fn a_grid_is_visited_cell_by_cell_and_what_is_taught_next_belongs_to_each_cell() {
+        let mut it = Lesson::new("t".into());
+        let (used, corner_deg) = it
+            .add_grid(&tray("from", 2, 0.0), MovingMode::Jump)
+            .unwrap();
+        assert_eq!(used, GridUse::Visited);
+        assert!((corner_deg - 90.0).abs() < 1e-9, "{corner_deg}");
+        it.switch_suction(true).unwrap();
+        let error = it
+            .add_grid(&tray("to", 3, -60.0), MovingMode::Jump)
+            .unwrap_err();
+        assert!(error.to_string().contains("6 cells"), "{error}");
+        let joined = it
+            .add_grid(&tray("to", 2, -60.0), MovingMode::Jump)
+            .unwrap();
+        assert_eq!(joined.0, GridUse::Joined);
+        let lines = lines(&it);
+        assert_eq!(lines[0], "each = [\"from\", \"to\"]");
+        assert_eq!(lines[3], "  go = \"to\"");
+        assert_eq!(
+            run(&mut it),
+            [
+                200.0, 200.0, 200.0, 220.0, 220.0, 220.0, 200.0, 200.0, 200.0, 220.0, 220.0, 220.0
+            ]
+        );
+        while it.undo() {}
+        assert_eq!(it.text(), "");
+    }
+
+    #[test]
+    fn a_grid_that_is_taught_again_keeps_its_steps() {
+        let mut it = Lesson::new("t".into());
+        it.add_grid(&tray("tray", 2, 0.0), MovingMode::MovL)
+            .unwrap();
+        let before = (lines(&it), it.cursor());
+        let mut moved = tray("tray", 2, 0.0);
+        for corner in &mut moved.corners {
+            corner.point_mm[0] += 50.0;
+        }
+        let (used, _) = it.add_grid(&moved, MovingMode::Jump).unwrap();
+        assert_eq!(used, GridUse::TaughtAgain);
+        assert_eq!((lines(&it), it.cursor()), before);
+        assert_eq!(run(&mut it), [250.0, 270.0, 250.0, 270.0]);
+    }
+
+    #[test]
+    fn points_are_taught_in_a_frame_until_another_one_is_chosen() {
+        let mut it = Lesson::new("t".into());
+        let points = [
+            corner(200.0, 10.0),
+            corner(200.0, 50.0),
+            corner(150.0, 10.0),
+        ];
+        let error = it.set_frame("tray", &points).unwrap_err().to_string();
+        assert!(error.contains("no step yet"), "{error}");
+        capture(&mut it, 190.0);
+        assert!(
+            it.set_frame("tray", &points).unwrap(),
+            "its z axis points up"
+        );
+        assert_eq!(it.frame(), Some("tray"));
+        capture(&mut it, 210.0);
+        it.use_frame(None);
+        capture(&mut it, 220.0);
+        assert!(
+            it.text().contains(
+                "p2 = { x = -10.0, y = -10.0, z = 0.0, rotation = -90.0, frame = \"tray\" }"
+            ),
+            "{}",
+            it.text()
+        );
+        for (target, expected) in run(&mut it).into_iter().zip([190.0, 210.0, 220.0_f32]) {
+            assert!(
+                (target - expected).abs() < 0.01,
+                "{target} instead of {expected}"
+            );
+        }
+        let [origin, x, y] = points;
+        assert!(
+            !it.set_frame("down", &[origin, y, x]).unwrap(),
+            "its z axis points down"
+        );
+        let error = it
+            .set_frame("line", &[origin, x, x])
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains("on one line"), "{error}");
+        assert_eq!(it.frame(), Some("down"));
+        assert!(it.undo());
+        assert_eq!(it.frame(), None, "the frame is gone");
     }
 }

@@ -1,5 +1,7 @@
 //! Teaching as an engine: the pendant, the program, and the job that runs it.
 
+mod prompting;
+
 use dobot_host::{PlannedFor, Rules};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -14,6 +16,7 @@ use ratatui::Frame;
 
 use super::keys::{TeachKey, teach_key};
 use super::lesson::{Lesson, Part};
+use super::prompt::Prompt;
 use super::screen;
 use crate::output;
 use crate::pendant::{Panel, Pendant};
@@ -26,6 +29,10 @@ pub(crate) struct Teacher {
     pub(super) lesson: Lesson,
     pub(super) path: MovingMode,
     pub(super) file: PathBuf,
+    /// The open question.
+    pub(super) prompt: Option<Prompt>,
+    /// The time until which Enter may still be held since the last answer.
+    held_until: Option<Duration>,
     settings: Settings,
     recording: Option<Vec<RecordedPlace>>,
     captured: Option<RecordedPlace>,
@@ -80,6 +87,8 @@ impl Teacher {
             lesson,
             path: MovingMode::Jump,
             file,
+            prompt: None,
+            held_until: None,
             settings,
             recording: None,
             captured: None,
@@ -126,6 +135,9 @@ impl Teacher {
                 let done = self.lesson.pause();
                 self.show_error(done);
             }
+            TeachKey::Add => self.open_prompt(),
+            TeachKey::EndBlock => self.end_block(),
+            TeachKey::Steps => self.pendant.change_step(),
             TeachKey::Record => self.record(),
             TeachKey::Suction(on) => self.switch_suction(on),
             TeachKey::Run => self.run(Part::All, JobStart::Run),
@@ -289,6 +301,12 @@ impl Panel for Teacher {
     fn handle_event(&mut self, now: Duration, event: &Event) {
         let pressed = |key: &KeyEvent| key.kind != KeyEventKind::Release;
         let key = event.as_key_event().filter(pressed);
+        if let Some(key) = key.filter(|_| self.prompt.is_some()) {
+            return self.handle_prompt_key(now, event, key);
+        }
+        if self.is_held_enter(now, key) {
+            return;
+        }
         match key.and_then(|key| teach_key(&key)) {
             // A held key counts once, except for moving the cursor.
             Some(meaning) if is_meant(key, meaning) => self.handle_key(meaning),
@@ -301,6 +319,10 @@ impl Panel for Teacher {
                 self.pendant.handle_event(now, event);
             }
         }
+    }
+
+    fn handle_paste(&mut self, text: &str) -> bool {
+        self.paste(text)
     }
 
     fn handle_state(&mut self, state: State) {
@@ -412,6 +434,9 @@ mod tests {
     use dobot_api::ClientId;
 
     use dobot_safety::Policy;
+    use dobot_wire::Command;
+    use ratatui::Terminal;
+    use ratatui::backend::TestBackend;
 
     use super::*;
     use crate::pendant::{Drive, KeyReports};
@@ -433,6 +458,12 @@ mod tests {
         let mut state = State::sample();
         state.arm.as_mut().unwrap().status.x_mm = x_mm;
         state
+    }
+
+    /// The texts of the steps.
+    fn lines(it: &Teacher) -> Vec<String> {
+        let rows = it.lesson.rows().into_iter().skip(1);
+        rows.map(|(_, text)| text).collect()
     }
 
     /// All that is asked for after a key.
@@ -462,10 +493,10 @@ mod tests {
         for _ in 0..5 {
             keyed(&mut it, KeyCode::Enter);
         }
-        assert_eq!(it.lesson.lines().len(), 1);
+        assert_eq!(lines(&it).len(), 1);
         it.handle_state(at(230.0));
         keyed(&mut it, KeyCode::Enter);
-        assert_eq!(it.lesson.lines().len(), 2);
+        assert_eq!(lines(&it).len(), 2);
     }
 
     #[test]
@@ -489,7 +520,7 @@ mod tests {
         let asked = keyed(&mut it, KeyCode::Char('j'));
         assert!(matches!(asked[..], [Request::Command { .. }]), "{asked:?}");
         // The state says that the pump ran when the point was taught.
-        assert!(it.lesson.lines()[1].contains("suction = false"));
+        assert!(lines(&it)[1].contains("suction = false"));
     }
 
     #[test]
@@ -500,7 +531,7 @@ mod tests {
             it.handle_state(at(200.0 + f32::from(x)));
         }
         keyed(&mut it, KeyCode::Char('v'));
-        let lines = it.lesson.lines();
+        let lines = lines(&it);
         assert_eq!(lines.len(), 2, "{lines:?}");
         assert!(lines[1].contains("239"), "{lines:?}");
     }
@@ -586,5 +617,220 @@ mod tests {
             ),
             "{wanted:?}"
         );
+    }
+
+    /// Presses the keys of a text.
+    fn types(it: &mut Teacher, keys: &str) -> Vec<Request> {
+        let mut all = Vec::new();
+        for key in keys.chars() {
+            let code = match key {
+                '\n' => KeyCode::Enter,
+                letter => KeyCode::Char(letter),
+            };
+            all.extend(keyed(it, code));
+        }
+        all
+    }
+
+    #[test]
+    fn letters_of_a_name_neither_move_nor_run_anything() {
+        let mut it = teacher();
+        keyed(&mut it, KeyCode::Enter);
+        assert_eq!(types(&mut it, "anglrsxupoc_19"), []);
+        assert_eq!(keyed(&mut it, KeyCode::Up), []);
+        assert_eq!(types(&mut it, "\n"), []);
+        assert!(it.prompt.is_none());
+        assert!(lines(&it)[0].contains("go = \"glrsxupoc_19\""));
+        // As long as Enter is held, it adds no point.
+        it.handle_state(at(230.0));
+        let enter = Event::Key(KeyEvent::new(KeyCode::Enter, KeyModifiers::NONE));
+        for at_ms in [600, 700, 800] {
+            it.handle_event(Duration::from_millis(at_ms), &enter);
+        }
+        assert_eq!(lines(&it).len(), 1);
+        it.handle_event(Duration::from_secs(1), &enter);
+        assert_eq!(lines(&it).len(), 2);
+    }
+
+    #[test]
+    fn keys_with_control_move_nothing_in_a_question_and_control_c_leaves() {
+        let mut it = teacher();
+        keyed(&mut it, KeyCode::Enter);
+        types(&mut it, "anx");
+        let with_control = |it: &mut Teacher, code| {
+            let key = Event::Key(KeyEvent::new(code, KeyModifiers::CONTROL));
+            it.handle_event(Duration::ZERO, &key);
+            asked(it)
+        };
+        for code in [KeyCode::Char('u'), KeyCode::Char('r'), KeyCode::Left] {
+            assert_eq!(with_control(&mut it, code), [], "{code:?}");
+        }
+        assert_eq!(it.prompt.as_ref().map(Prompt::text), Some("x"));
+        with_control(&mut it, KeyCode::Char('c'));
+        assert!(it.pendant.is_over());
+    }
+
+    #[test]
+    fn the_arm_is_stopped_in_every_question_and_nothing_that_was_taught_is_lost() {
+        for keys in ["a", "an", "ar1", "at", "atc", "agtray", "agtray\n", "af"] {
+            let mut it = teacher();
+            keyed(&mut it, KeyCode::Enter);
+            types(&mut it, keys);
+            let asked = keyed(&mut it, KeyCode::Char(' '));
+            assert!(
+                matches!(asked[..], [Request::Stop { .. }]),
+                "{keys:?}: {asked:?}"
+            );
+            assert!(it.prompt.is_some(), "{keys:?}");
+            let asked = keyed(&mut it, KeyCode::Esc);
+            assert!(
+                matches!(asked[..], [Request::Stop { .. }]),
+                "{keys:?}: {asked:?}"
+            );
+            assert!(it.prompt.is_none(), "{keys:?}");
+            assert_eq!(lines(&it).len(), 1, "{keys:?}");
+        }
+    }
+
+    #[test]
+    fn the_arm_is_jogged_between_the_corners_of_a_grid_but_no_program_runs() {
+        let mut it = teacher();
+        keyed(&mut it, KeyCode::Enter);
+        types(&mut it, "agtray\n");
+        let asked = keyed(&mut it, KeyCode::Up);
+        assert!(matches!(asked[..], [Request::Jog { .. }]), "{asked:?}");
+        assert_eq!(types(&mut it, "glhnqw"), [Request::Release]);
+        assert!(!it.pendant.is_over());
+        let mut moving = at(210.0);
+        moving.arm.as_mut().unwrap().moving = true;
+        it.handle_state(moving);
+        types(&mut it, "\n");
+        assert!(it.prompt.as_ref().unwrap().question().contains("place 1"));
+        for (x, y) in [(200.0, 0.0), (230.0, 0.0), (200.0, 30.0)] {
+            let mut state = at(x);
+            state.arm.as_mut().unwrap().status.y_mm = y;
+            it.handle_state(state);
+            types(&mut it, "\n\n");
+        }
+        // The second Enter of the last corner asked for a size.
+        types(&mut it, "2x2\n");
+        assert!(it.prompt.is_none(), "{:?}", it.prompt);
+        assert_eq!(
+            lines(&it)[1..],
+            ["each = \"tray\"", "  go = \"tray\"", "end of each"]
+        );
+    }
+
+    #[test]
+    fn a_tool_is_set_in_the_program_and_at_the_arm() {
+        let mut it = teacher();
+        let asked = types(&mut it, "atl38\n");
+        assert!(
+            matches!(
+                asked[..],
+                [Request::Command {
+                    command: Command::Configuration(_)
+                }]
+            ),
+            "{asked:?}"
+        );
+        assert_eq!(lines(&it), ["tool = \"laser\""]);
+    }
+
+    #[test]
+    fn a_repeat_is_begun_ended_and_run() {
+        let mut it = teacher();
+        types(&mut it, "ar2\n");
+        types(&mut it, "e");
+        assert_eq!(lines(&it).len(), 0, "it has no step yet");
+        keyed(&mut it, KeyCode::Tab);
+        types(&mut it, "\ne");
+        let lines = lines(&it);
+        assert_eq!((&*lines[0], &*lines[2]), ("repeat = 2", "end of repeat"));
+        assert!(lines[1].contains("go = \"p1\""), "{lines:?}");
+        let asked = types(&mut it, "g");
+        assert!(
+            matches!(asked[..], [Request::SubmitJob { .. }]),
+            "{asked:?}"
+        );
+    }
+
+    #[test]
+    fn pasted_text_is_taken_by_a_question_for_text_alone() {
+        let mut it = teacher();
+        assert!(!it.handle_paste("glue"));
+        keyed(&mut it, KeyCode::Enter);
+        types(&mut it, "an");
+        assert!(it.handle_paste("glue\nq"));
+        assert_eq!(asked(&mut it), []);
+        types(&mut it, "\n");
+        assert!(lines(&it)[0].contains("go = \"glue\""));
+    }
+
+    fn screen(it: &Teacher, width: u16, height: u16) -> String {
+        let mut terminal = Terminal::new(TestBackend::new(width, height)).unwrap();
+        terminal.draw(|frame| it.draw(frame)).unwrap();
+        let buffer = terminal.backend().buffer();
+        let row = |y| (0..width).map(|x| buffer[(x, y)].symbol()).collect();
+        let rows: Vec<String> = (0..height).map(row).collect();
+        rows.join("\n")
+    }
+
+    #[test]
+    fn the_screen_shows_every_key_and_every_question_on_a_usual_terminal() {
+        let mut it = teacher();
+        keyed(&mut it, KeyCode::Enter);
+        for (keys, parts) in [
+            (
+                "",
+                &[
+                    "add name, repeat, tool, grid, frame, call",
+                    "end repeat",
+                    "save, quit",
+                    "▶   1",
+                ][..],
+            ),
+            (
+                "a",
+                &["name of the point", "call", "Backspace  back", "STOP"],
+            ),
+            ("n", &["new name of point p1", "accept", "STOP and leave"]),
+            ("tray", &["tray█"]),
+            ("\nat", &["suction cup", "laser"]),
+            ("l", &["0 to 200 mm (0: teach the wrist)", "accept"]),
+            ("<<ag", &["name of the grid", "for example tray"]),
+            (
+                "from\n",
+                &[
+                    "place 1 of 3",
+                    "the first cell",
+                    "x+ x-",
+                    "touch",
+                    "STOP and leave",
+                ],
+            ),
+            ("<<<<<<af", &["nothing: teach points in the base frame"]),
+        ] {
+            for key in keys.chars() {
+                let code = match key {
+                    '\n' => KeyCode::Enter,
+                    '<' => KeyCode::Backspace,
+                    letter => KeyCode::Char(letter),
+                };
+                keyed(&mut it, code);
+            }
+            let screen = screen(&it, 80, 24);
+            for part in parts {
+                assert!(
+                    screen.contains(part),
+                    "{keys:?}: `{part}` is missing:\n{screen}"
+                );
+            }
+        }
+        for width in (1..=120).step_by(17) {
+            for height in (1..=40).step_by(3) {
+                screen(&it, width, height);
+            }
+        }
     }
 }

@@ -75,6 +75,18 @@ pub(crate) fn panel(frame: &mut Frame, area: Rect, title: &'static str, lines: V
     frame.render_widget(Paragraph::new(lines).block(block(title)), area);
 }
 
+/// Draws a panel with a second title, of several styles.
+pub(crate) fn titled_panel(
+    frame: &mut Frame,
+    area: Rect,
+    title: &'static str,
+    second: Line,
+    lines: Vec<Line>,
+) {
+    let block = block(title).title(second);
+    frame.render_widget(Paragraph::new(lines).block(block), area);
+}
+
 fn block(title: &'static str) -> Block<'static> {
     Block::bordered()
         .border_type(BorderType::Rounded)

@@ -353,7 +353,7 @@ fn begin(first: Option<Edit>) -> Result<ProgramDocument, Problem> {
 
 fn apply(document: &mut ProgramDocument, edit: Edit) -> Result<(), ProgramError> {
     match edit {
-        Edit::Insert { at, step } => document.insert(at, step),
+        Edit::Insert { at, step } => document.insert(&[at], step),
         Edit::InsertPath {
             at,
             places,
@@ -363,11 +363,11 @@ fn apply(document: &mut ProgramDocument, edit: Edit) -> Result<(), ProgramError>
             let before = ToolState::behind(&steps[..at.min(steps.len())]);
             let path = path_steps(&simplified(&places, tolerance_mm), before);
             let mut path = path.into_iter().enumerate();
-            path.try_for_each(|(index, step)| document.insert(at + index, step))
+            path.try_for_each(|(index, step)| document.insert(&[at + index], step))
         }
-        Edit::Replace { at, step } => document.replace(at, step),
-        Edit::Remove { at } => document.remove(at),
-        Edit::Move { from, to } => document.move_step(from, to),
+        Edit::Replace { at, step } => document.replace(&[at], step),
+        Edit::Remove { at } => document.remove(&[at]),
+        Edit::Move { from, to } => document.move_step(&[from], &[to]),
         Edit::SetPoint { name, point } => document.set_point(&name, &point),
     }
 }
