@@ -217,7 +217,7 @@ impl Teacher {
         })
     }
 
-    /// Tells the arm its tool.
+    /// Sets the tool of the arm.
     fn mount(&mut self, tool: Tool) {
         let tool = tool.into();
         let command = Configuration::EndEffector { tool }.into();
