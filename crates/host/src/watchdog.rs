@@ -241,7 +241,7 @@ impl StopRounds {
             };
         }
         WatchdogPhase::Stopping(Self {
-            next: now + AGAIN,
+            next: now + RETRY_DELAY,
             sent: 0,
             rounds,
             heard: false,
@@ -253,7 +253,7 @@ impl StopRounds {
 /// Longer than a packet on the line plus the 8 ms that a stock arm needs between two (note N26).
 pub(crate) const GAP: Duration = dobot_wire::PACKET_GAP;
 /// Long enough for two statuses to show the effect.
-const AGAIN: Duration = Duration::from_millis(200);
+const RETRY_DELAY: Duration = Duration::from_millis(200);
 /// An arm not heard for this long gets the next round anyway.
 const UNHEARD: Duration = Duration::from_millis(500);
 /// A packet may get lost; three hardly ever do.

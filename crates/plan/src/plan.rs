@@ -531,7 +531,7 @@ mod tests {
                 // At no time have more than two vectors too many finished.
                 behind_s = (behind_s + period_s - duration).max(0.0);
                 prop_assert!(behind_s <= 2.0 * period_s + 1e-4, "{behind_s}");
-                prop_assert!(vector.length_mm() >= crate::path::planner::LEAST_VECTOR_MM);
+                prop_assert!(vector.length_mm() >= crate::path::planner::MIN_VECTOR_MM);
             }
             prop_assert_eq!(speed, 0.0);
         }

@@ -239,10 +239,10 @@ fn percent(way_deg: f64, within_s: f64) -> f64 {
     let a = Speeds::STOCK.joint_deg_s2 * ACCELERATION_PERCENT / 100.0;
     let under_root = (a * within_s).powi(2) - 4.0 * a * way_deg;
     if under_root < 0.0 {
-        return MOST_PERCENT;
+        return MAX_PERCENT;
     }
     let deg_s = (a * within_s - under_root.sqrt()) / 2.0;
-    (deg_s / Speeds::STOCK.joint_deg_s * 100.0).clamp(LEAST_PERCENT, MOST_PERCENT)
+    (deg_s / Speeds::STOCK.joint_deg_s * 100.0).clamp(MIN_PERCENT, MAX_PERCENT)
 }
 
 /// Returns the commands: pump and gripper do not change, and the speed at the end is that of
@@ -261,7 +261,7 @@ fn job(moves: &[FollowMove], stands: &Status) -> NewJob {
         commands.push(target(step, stands));
     }
     if !moves.is_empty() {
-        commands.push(speed(MOST_PERCENT));
+        commands.push(speed(MAX_PERCENT));
     }
     NewJob {
         title: "trajectory of ROS 2".to_owned(),
@@ -316,8 +316,8 @@ fn summary(wanted: &Wanted, thin: &Thinned, targets: usize, takes_s: f64) -> Str
 
 /// The percentages of an arm after power-up; no trajectory is followed faster than that.
 const ACCELERATION_PERCENT: f64 = 50.0;
-const MOST_PERCENT: f64 = 50.0;
-const LEAST_PERCENT: f64 = 1.0;
+const MAX_PERCENT: f64 = 50.0;
+const MIN_PERCENT: f64 = 1.0;
 /// Below the resolution of the arm.
 const STILL_DEG: f64 = 0.01;
 /// A shorter pause is part of the motion.

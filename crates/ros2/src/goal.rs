@@ -151,10 +151,10 @@ fn places(
     stands_deg: [f64; 4],
 ) -> Result<(Vec<[f64; 4]>, Vec<f64>), Fault> {
     let points = &goal.trajectory.points;
-    if !(1..=MOST_POINTS).contains(&points.len()) {
+    if !(1..=MAX_POINTS).contains(&points.len()) {
         let found = points.len();
         return Err(Fault::invalid(format!(
-            "the trajectory has {found} points; allowed are 1 to {MOST_POINTS}"
+            "the trajectory has {found} points; allowed are 1 to {MAX_POINTS}"
         )));
     }
     let (mut places, mut at_s) = (vec![stands_deg], vec![0.0]);
@@ -301,7 +301,7 @@ pub(crate) fn rad(degrees: f64) -> String {
     format!("{:.4}", degrees.to_radians())
 }
 
-const MOST_POINTS: usize = 10_000;
+const MAX_POINTS: usize = 10_000;
 const LONGEST_S: f64 = 3600.0;
 const FULL_TURN_DEG: f64 = 360.0;
 /// The allowed difference between the start of a trajectory and the arm's position.

@@ -92,7 +92,7 @@ impl Watch {
     async fn wait(&mut self, why: &str) {
         let silent = diagnostics::of_no_station(NODE, why);
         let _ = self.publishers.diagnostics.publish(silent);
-        let until = Instant::now() + AGAIN;
+        let until = Instant::now() + RETRY_DELAY;
         loop {
             tokio::select! {
                 Some(wanted) = self.stops.recv() => {
@@ -123,6 +123,6 @@ impl Watch {
 }
 
 /// The delay before the station is searched again.
-const AGAIN: Duration = Duration::from_secs(1);
+const RETRY_DELAY: Duration = Duration::from_secs(1);
 /// The period of diagnostics, in seconds.
 const DIAGNOSED_S: f64 = 1.0;

@@ -302,7 +302,7 @@ impl Evidence<'_> {
     fn beyond_room(&self) -> usize {
         let arrived = |sent: &&Sent| self.now.saturating_sub(sent.at) >= self.answer;
         let arrived = self.in_flight.iter().take_while(arrived).count();
-        arrived.saturating_sub(MOST_WITH_ROOM)
+        arrived.saturating_sub(MAX_WITH_ROOM)
     }
 
     /// How much the pause before the first command can grow: not at all if the arm had that command
@@ -384,4 +384,4 @@ const PATIENCE: Duration = Duration::from_secs(10);
 /// A pause of at least this length is reported when it starts.
 const LONG_PAUSE: Duration = Duration::from_secs(5);
 /// Three waiting commands and one that is executed; with one more the arm sends no status.
-const MOST_WITH_ROOM: usize = 4;
+const MAX_WITH_ROOM: usize = 4;

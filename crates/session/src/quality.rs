@@ -85,7 +85,7 @@ impl Meter {
         {
             let gap = now.saturating_sub(before);
             self.note_gap(gap);
-            if gap <= self.period + MOST_JITTER {
+            if gap <= self.period + MAX_JITTER {
                 self.jitter = self.jitter.max(gap.saturating_sub(self.period));
             }
         }
@@ -187,6 +187,6 @@ const FASTEST: Duration = Duration::from_millis(140);
 /// The same over a link with a delay of 0.2 s each way.
 pub(crate) const UNSEEN: Duration = Duration::from_millis(560);
 /// A larger deviation is a lost status.
-const MOST_JITTER: Duration = Duration::from_millis(200);
+const MAX_JITTER: Duration = Duration::from_millis(200);
 /// A longer latency has another cause, or the command was lost.
 const SLOWEST: Duration = Duration::from_secs(2);

@@ -266,7 +266,7 @@ mod tests {
         }
         assert_eq!(received, all);
         let echo = rustix::io::read(&pty.master, &mut [0; 256]);
-        assert_eq!(echo, Err(Errno::AGAIN));
+        assert_eq!(echo, Err(Errno::RETRY_DELAY));
     }
 
     #[tokio::test]

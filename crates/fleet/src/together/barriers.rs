@@ -151,7 +151,7 @@ pub(super) enum Course {
 pub(super) fn course(parts: &[&Barriers]) -> Course {
     let mut passed = vec![0; parts.len()];
     let mut been = HashSet::new();
-    for _ in 0..MOST_RELEASES {
+    for _ in 0..MAX_RELEASES {
         let next: Vec<_> = parts
             .iter()
             .zip(&passed)
@@ -191,4 +191,4 @@ fn meeting(parts: &[&Barriers], next: &[Option<&Barrier>]) -> Option<Arc<str>> {
 }
 
 /// The maximum number of releases that are checked.
-const MOST_RELEASES: usize = 1_000_000;
+const MAX_RELEASES: usize = 1_000_000;

@@ -104,7 +104,7 @@ pub(crate) enum Answer {
 }
 
 /// The maximum number of open tickets.
-const MOST: usize = 5000;
+const MAX_TICKETS: usize = 5000;
 /// The maximum number of finished tickets that are kept.
 const KEPT: usize = 500;
 /// The interval of queries to a station that has a ticket.
@@ -183,10 +183,10 @@ impl Work {
             .values()
             .filter(|ticket| is_open(ticket))
             .count();
-        if open < MOST {
+        if open < MAX_TICKETS {
             return Ok(());
         }
-        let many = format!("{open} jobs are open; at most {MOST} are allowed");
+        let many = format!("{open} jobs are open; at most {MAX_TICKETS} are allowed");
         Err(TOO_MANY.hinted(many, "wait until some are done, or cancel some"))
     }
 

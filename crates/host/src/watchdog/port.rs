@@ -22,7 +22,7 @@ pub(super) enum WriteOutcome {
 pub(super) fn write_some(port: impl AsFd, bytes: &[u8]) -> WriteOutcome {
     match rustix::io::write(port, bytes) {
         Ok(written) => WriteOutcome::Some(written),
-        Err(Errno::AGAIN | Errno::INTR) => WriteOutcome::Later,
+        Err(Errno::RETRY_DELAY | Errno::INTR) => WriteOutcome::Later,
         Err(_) => WriteOutcome::Gone,
     }
 }

@@ -119,7 +119,7 @@ impl Guard {
     fn receive_heartbeats(&mut self, heartbeats: &impl AsFd) -> io::Result<()> {
         let mut bytes = [0; 256];
         let read = match rustix::io::read(heartbeats, &mut bytes) {
-            Err(Errno::AGAIN | Errno::INTR) => return Ok(()),
+            Err(Errno::RETRY_DELAY | Errno::INTR) => return Ok(()),
             read => read?,
         };
         let now = self.clock.now();
@@ -144,7 +144,7 @@ impl Guard {
         let mut bytes = [0; 4096];
         match rustix::io::read(port, &mut bytes) {
             Ok(1..) => self.watchdog.handle_heard(self.clock.now()),
-            Err(Errno::AGAIN | Errno::INTR) => {}
+            Err(Errno::RETRY_DELAY | Errno::INTR) => {}
             Ok(0) | Err(_) => return true,
         }
         false

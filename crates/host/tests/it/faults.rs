@@ -112,7 +112,7 @@ fn the_laser_does_not_burn_on_the_spot_for_any_sender() {
         right(&it.wrong);
         assert_eq!(it.late, 0, "{} {}: {}", it.sender, it.link, it.stood_s);
         assert_eq!(it.displaced, 0, "{} {}", it.sender, it.link);
-        assert!(it.stood_s.most() <= stands::MOST_S, "{}", it.stood_s);
+        assert!(it.stood_s.most() <= stands::MAX_S, "{}", it.stood_s);
     }
 }
 

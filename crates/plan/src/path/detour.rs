@@ -33,7 +33,7 @@ pub fn detour(from: Point, to: Point, nearest_mm: f64) -> Vec<Point> {
     let first = from.atan2() + side * touches(from);
     #[expect(clippy::cast_possible_truncation, reason = "at most a few dozen")]
     #[expect(clippy::cast_sign_loss, reason = "an arc is above 0")]
-    let count = (arc / MOST_STEP).ceil() as u32;
+    let count = (arc / MAX_STEP).ceil() as u32;
     let step = arc / f64::from(count);
     let corner_mm = radius_mm / (0.5 * step).cos();
     let corner = |i: u32| first + side * step * (f64::from(i) + 0.5);
@@ -43,7 +43,7 @@ pub fn detour(from: Point, to: Point, nearest_mm: f64) -> Vec<Point> {
 }
 
 /// The polygon is at most 3.5 % farther from the axis than the arc.
-const MOST_STEP: f64 = PI / 6.0;
+const MAX_STEP: f64 = PI / 6.0;
 
 #[cfg(test)]
 mod tests {

@@ -156,7 +156,7 @@ impl Session {
             let again = self.laser.again.is_some();
             self.switch_laser_off();
             self.laser.rounds = if again { self.laser.rounds + 1 } else { 1 };
-            self.laser.again = (self.laser.rounds < ROUNDS).then_some(self.now + AGAIN);
+            self.laser.again = (self.laser.rounds < ROUNDS).then_some(self.now + RETRY_DELAY);
         }
     }
 
@@ -200,7 +200,7 @@ impl Session {
         }
         if let Some(again) = self.laser.again {
             // A silent arm has no room for it, or does not receive it.
-            let hears = self.heard + AGAIN > again;
+            let hears = self.heard + RETRY_DELAY > again;
             return (hears && self.estimate.waiting() == 0).then_some(again);
         }
         if !self.laser.was_lit {
@@ -255,6 +255,6 @@ const ON_THE_LINE: Duration = Duration::from_millis(60);
 const PERMIT_IN_TIME: Duration = Duration::from_millis(100);
 /// How often "laser off" is sent while nothing else is: a packet may get lost.
 const ROUNDS: u32 = 4;
-const AGAIN: Duration = Duration::from_millis(150);
+const RETRY_DELAY: Duration = Duration::from_millis(150);
 /// Time from a command to the first status that shows it on a usual link.
 const LATENCY: Duration = Duration::from_millis(250);

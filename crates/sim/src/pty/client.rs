@@ -34,8 +34,8 @@ impl PtyClient {
                 Ok(count) => return Poll::Ready(Ok(count)),
                 Err(Errno::IO) => return Poll::Ready(Ok(0)),
                 // It closed the port, and somebody has opened it since.
-                Err(Errno::AGAIN) if left => return Poll::Ready(Ok(0)),
-                Err(Errno::AGAIN) => guard.clear_ready(),
+                Err(Errno::RETRY_DELAY) if left => return Poll::Ready(Ok(0)),
+                Err(Errno::RETRY_DELAY) => guard.clear_ready(),
                 Err(Errno::INTR) => {}
                 Err(error) => return Poll::Ready(Err(error.into())),
             }
@@ -65,7 +65,7 @@ impl AsyncWrite for PtyClient {
             let mut guard = ready!(self.master.poll_write_ready(context))?;
             match rustix::io::write(self.master.get_ref(), bytes) {
                 Ok(count) => return Poll::Ready(Ok(count)),
-                Err(Errno::AGAIN) => guard.clear_ready(),
+                Err(Errno::RETRY_DELAY) => guard.clear_ready(),
                 Err(Errno::INTR) => {}
                 Err(error) => return Poll::Ready(Err(error.into())),
             }

@@ -43,14 +43,14 @@ impl Round {
     /// Returns the next round, if any.
     fn after(self, arm: &Arm, unknown: Duration) -> Option<Self> {
         let behind = self.behind + u32::from(self.rounds > 0);
-        let again = if behind >= MOST_BEHIND {
+        let again = if behind >= MAX_BEHIND {
             // One packet more would fill the queue of an arm that received all, and it would fall
             // silent as after a reset.
-            arm.rests_within(unknown).max(AGAIN)
+            arm.rests_within(unknown).max(RETRY_DELAY)
         } else if self.laser_is_next {
             GAP
         } else {
-            AGAIN
+            RETRY_DELAY
         };
         (self.rounds < ROUNDS).then_some(Self {
             next: arm.now() + again,
@@ -98,7 +98,7 @@ impl StopSequence {
             return;
         }
         self.round = Some(Round {
-            next: arm.now() + AGAIN,
+            next: arm.now() + RETRY_DELAY,
             laser_is_next: false,
             rounds: 1,
             behind: 0,
@@ -128,7 +128,7 @@ impl StopSequence {
         if round.rounds > 0 && arm.session().in_flight() > 0 {
             // The arm executes commands in order: earlier packets wait there for their turn, and
             // more would only fill its queue.
-            let next = arm.now() + AGAIN;
+            let next = arm.now() + RETRY_DELAY;
             self.round = Some(Round { next, ..round });
             return;
         }
@@ -152,8 +152,8 @@ impl StopSequence {
 /// Longer than a packet on the line plus the 8 ms that a stock arm needs between two (note N26).
 const GAP: Duration = dobot_wire::PACKET_GAP;
 /// Long enough for two statuses to show the effect.
-const AGAIN: Duration = Duration::from_millis(240);
+const RETRY_DELAY: Duration = Duration::from_millis(240);
 /// From the fourth waiting packet on, a stock arm withholds its statuses (note N27).
-const MOST_BEHIND: u32 = 3;
+const MAX_BEHIND: u32 = 3;
 /// An arm that has not reacted after this many rounds does not receive.
 const ROUNDS: u32 = 3;

@@ -48,7 +48,7 @@ pub(crate) struct Stands {
     pub programs: usize,
     /// The longest time that it burned in one place in each of them, in seconds.
     pub stood_s: Spread,
-    /// For longer than [`MOST_S`].
+    /// For longer than [`MAX_S`].
     pub late: usize,
     /// How often the station switched it off for that.
     pub switched_off: usize,
@@ -107,7 +107,7 @@ fn one(figures: &mut Stands, personality: Personality, seed: u64) -> Result<(), 
     figures.programs += 1;
     let stood_s = longest_stand_s(scene.it.arm().samples(), STANDS_MM);
     figures.stood_s.add(stood_s);
-    if stood_s > MOST_S {
+    if stood_s > MAX_S {
         figures.late += 1;
         return Err(Wrong(format!("it stood for {stood_s} s")));
     }
@@ -179,7 +179,7 @@ fn failed(it: &VirtualStation, job: u64) -> bool {
 }
 
 /// A laser at rest is off within that, in seconds.
-pub(crate) const MOST_S: f64 = 0.3;
+pub(crate) const MAX_S: f64 = 0.3;
 /// In the 20 ms from one sample to the next.
 const STANDS_MM: f64 = 0.001;
 /// The second one lets packets heap up, of which a stock arm may lose one; the others lose no command.

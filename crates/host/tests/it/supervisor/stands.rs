@@ -14,7 +14,7 @@ use crate::cases::commands::vector;
 use crate::cases::light::longest_stand_s;
 
 /// The longest time that the laser may burn in one place.
-const MOST_S: f64 = 0.3;
+const MAX_S: f64 = 0.3;
 
 /// Control, and a laser that is armed.
 fn armed(it: &mut VirtualStation) -> ClientId {
@@ -59,7 +59,7 @@ fn a_single_vector_that_burns_does_not_leave_the_laser_on() {
         );
         rest(&mut it, anna);
         let stood_s = longest_stand_s(it.arm().samples(), 0.001);
-        assert!(stood_s <= MOST_S, "{personality}: {stood_s} s");
+        assert!(stood_s <= MAX_S, "{personality}: {stood_s} s");
     }
 }
 
@@ -84,7 +84,7 @@ fn a_burning_packet_of_a_raw_client_does_not_leave_the_laser_on() {
         it.send_raw(program, &packet).unwrap();
         it.run_for(Duration::from_secs(3));
         let stood_s = longest_stand_s(it.arm().samples(), 0.001);
-        assert!(stood_s <= MOST_S, "{personality}: {stood_s} s");
+        assert!(stood_s <= MAX_S, "{personality}: {stood_s} s");
     }
 }
 

@@ -57,7 +57,7 @@ async fn pages_of_other_sites_are_refused_as_agents() {
 #[tokio::test]
 async fn the_size_of_agent_messages_is_limited() {
     let harness = Harness::near();
-    let most = dobot_mcp::HttpAgents::MOST_BYTES;
+    let most = dobot_mcp::HttpAgents::MAX_BYTES;
     let request = says(&harness).body(Body::from(vec![b' '; most + 1]));
     harness
         .send(request.unwrap())
