@@ -86,8 +86,8 @@ struct StopRounds {
     sent: usize,
     /// The completed rounds.
     rounds: u32,
-    /// Whether the arm was heard since the last round, so it has room for another.
-    heard: bool,
+    /// Whether the arm has sent since the last round, so it has room for another.
+    received: bool,
 }
 
 impl Watchdog {
@@ -135,7 +135,7 @@ impl Watchdog {
     pub fn handle_heard(&mut self, now: Duration) {
         self.handle_time(now);
         if let WatchdogPhase::Stopping(rounds) = &mut self.phase {
-            rounds.heard = true;
+            rounds.received = true;
         }
     }
 
@@ -208,16 +208,16 @@ impl Watchdog {
             next: self.now.max(free),
             sent: 0,
             rounds: 0,
-            heard: true,
+            received: true,
         });
     }
 }
 
 impl StopRounds {
-    /// A round waits until the arm is heard: with a full queue it is silent and would lose packets.
+    /// A round waits until the arm sends: with a full queue it is silent and would lose packets.
     /// An arm that is silent for long gets them anyway.
     fn due(&self) -> Duration {
-        if self.sent > 0 || self.heard {
+        if self.sent > 0 || self.received {
             self.next
         } else {
             self.next + UNHEARD
@@ -233,8 +233,8 @@ impl StopRounds {
             });
         }
         let rounds = self.rounds + 1;
-        let heard_enough = rounds >= ROUNDS && self.heard;
-        if heard_enough || now >= self.started + LONGEST {
+        let received_enough = rounds >= ROUNDS && self.received;
+        if received_enough || now >= self.started + LONGEST {
             return match self.why {
                 Silence::Ended => WatchdogPhase::Over,
                 Silence::Stalled => WatchdogPhase::Stopped(self.why),
@@ -244,7 +244,7 @@ impl StopRounds {
             next: now + RETRY_DELAY,
             sent: 0,
             rounds,
-            heard: false,
+            received: false,
             ..self
         })
     }
