@@ -36,7 +36,7 @@ pub(crate) struct Completion {
 #[derive(Clone, Copy, Debug)]
 struct Steady {
     status: Status,
-    heard: Duration,
+    received: Duration,
     since: Duration,
     /// Number of equal statuses in a row.
     repeats: u32,
@@ -83,16 +83,17 @@ impl Completion {
     /// Handles a status.
     pub(crate) fn handle_status(&mut self, now: Duration, status: &Status) {
         // Between two statuses that are far apart, anything may have happened.
-        let same = |last: &Steady| last.status == *status && now.saturating_sub(last.heard) <= GAP;
+        let same =
+            |last: &Steady| last.status == *status && now.saturating_sub(last.received) <= GAP;
         self.seen = Some(match self.seen.filter(same) {
             Some(seen) => Steady {
-                heard: now,
+                received: now,
                 repeats: seen.repeats + 1,
                 ..seen
             },
             None => Steady {
                 status: *status,
-                heard: now,
+                received: now,
                 since: now,
                 repeats: 1,
             },
@@ -165,8 +166,8 @@ impl Completion {
             return look.timed_out(first);
         }
         if sent.plan.target.is_none() {
-            let came = seen.since > first.since && now >= sent.at + look.answer;
-            return (came || now >= idle + sent.plan.pause).then_some(Verdict::Over(1));
+            let is_received = seen.since > first.since && now >= sent.at + look.answer;
+            return (is_received || now >= idle + sent.plan.pause).then_some(Verdict::Over(1));
         }
         self.missed(look, first)
     }
@@ -358,14 +359,14 @@ impl Steady {
         if !self.rests() || self.since <= first.since {
             return None;
         }
-        let goes_on = |index: usize| {
+        let continues = |index: usize| {
             let mut later = in_flight.iter().skip(index + 1);
             let next = later.find(|sent| !sent.plan.is_still());
             next.is_some_and(|sent| sent.at + answer <= self.since)
         };
         let rests = |(index, sent): (usize, &Sent)| {
             let pauses = !sent.plan.pause.is_zero();
-            sent.plan.ends_at(&self.status) && (pauses || !goes_on(index))
+            sent.plan.ends_at(&self.status) && (pauses || !continues(index))
         };
         in_flight.iter().enumerate().position(rests)
     }

@@ -28,7 +28,7 @@ pub(super) struct Laser {
     off_on_line: Duration,
     /// When a status last differed from the one before, and whether the last two are equal.
     changed: Duration,
-    stands: bool,
+    is_still: bool,
 }
 
 impl Laser {
@@ -123,8 +123,8 @@ impl Session {
 
     /// Records whether the arm stands still, before the estimate handles the status.
     pub(super) fn see_laser(&mut self, status: &Status) {
-        self.laser.stands = self.status == Some(*status);
-        if !self.laser.stands {
+        self.laser.is_still = self.status == Some(*status);
+        if !self.laser.is_still {
             self.laser.changed = self.now;
         }
     }
@@ -200,8 +200,8 @@ impl Session {
         }
         if let Some(again) = self.laser.again {
             // A silent arm has no room for it, or does not receive it.
-            let hears = self.heard + RETRY_DELAY > again;
-            return (hears && self.estimate.waiting() == 0).then_some(again);
+            let receives = self.status_arrived + RETRY_DELAY > again;
+            return (receives && self.estimate.waiting() == 0).then_some(again);
         }
         if !self.laser.was_lit {
             return None;
@@ -240,7 +240,7 @@ impl Session {
         let since = self.estimate.in_flight().running_since(self.now);
         let shows = self.meter.latency().unwrap_or(LATENCY) + self.meter.period();
         let stopped = self.laser.changed > since || self.now >= since + shows;
-        (self.laser.stands && stopped).then_some(self.now)
+        (self.laser.is_still && stopped).then_some(self.now)
     }
 
     fn is_laser_free(&self) -> bool {

@@ -118,7 +118,7 @@ fn an_arm_that_kept_sending_while_the_computer_was_suspended_was_not_reset() {
         assert!(
             desk.events()
                 .iter()
-                .all(|it| !matches!(it, Event::LinkLost { .. }))
+                .all(|event| !matches!(event, Event::LinkLost { .. }))
         );
     }
 }
