@@ -46,8 +46,8 @@ impl Api {
         let until = Instant::now() + PATIENCE;
         let lines = BufReader::new(way).lines().map_while(Result::ok);
         let lines = lines.take_while(|_| Instant::now() < until);
-        let data = lines.filter_map(|it| it.strip_prefix("data:").map(read_json));
-        let mut states = data.filter_map(|mut it| it.get_mut("state").map(Value::take));
+        let data = lines.filter_map(|line| line.strip_prefix("data:").map(read_json));
+        let mut states = data.filter_map(|mut message| message.get_mut("state").map(Value::take));
         states
             .find(is_it)
             .expect("the station reports a matching state")

@@ -42,7 +42,7 @@ impl Bench {
     }
 
     pub(crate) fn gets_jog(&self, axis: LinearJogAxis) {
-        self.gets(|it| is_jog(it, axis));
+        self.gets(|command| is_jog(command, axis));
     }
 
     /// Presses the arrow until the arm jogs by it: one press is over before an arm that runs down rests.
@@ -53,7 +53,7 @@ impl Bench {
             while statuses < 4 {
                 match self.arm.next() {
                     Passed::FromArm(..) => statuses += 1,
-                    Passed::ToArm(_, it) if is_jog(&it, LinearJogAxis::XPlus) => return,
+                    Passed::ToArm(_, command) if is_jog(&command, LinearJogAxis::XPlus) => return,
                     _ => {}
                 }
             }
