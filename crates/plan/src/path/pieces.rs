@@ -64,9 +64,9 @@ impl Pieces {
         };
         let whole = planned.run(vector);
         let continues_alike = |pieces: &Vec<PlannedVector>| {
-            let mut behind = divided.clone();
-            behind.run_all(pieces);
-            next.is_none_or(|next| is_alike(&planned.tick_stroke(next), &behind.tick_stroke(next)))
+            let mut after = divided.clone();
+            after.run_all(pieces);
+            next.is_none_or(|next| is_alike(&planned.tick_stroke(next), &after.tick_stroke(next)))
         };
         let pieces =
             of_ticks(vector, longest_s, &whole, (divided, planned.here)).find(continues_alike);

@@ -130,7 +130,7 @@ impl TickChain<'_> {
                 here.take(speeds, fit);
             }
             let candidate = Candidate::new(&here, self.positions_before(begin, fits));
-            let goes_on = |i: usize, candidates: &[Candidate]| {
+            let continues = |i: usize, candidates: &[Candidate]| {
                 let ends = (i + 1..changed.len().min(i + 1 + MARGIN)).all(|i| !changed[i]);
                 let next = fits.get(i + 1).filter(|_| i >= change && ends)?;
                 let max_cost = candidates[0].cost + MAX_LOSS;
@@ -144,7 +144,7 @@ impl TickChain<'_> {
                         && candidate.ticker.keeps_up(rest.take(MAX_AHEAD))
                 })
             };
-            let again = self.follow(begin, candidate, breadth, goes_on);
+            let again = self.follow(begin, candidate, breadth, continues);
             at = begin + again.len();
             for (speeds, fit) in self.speeds[begin..at].iter().zip(&again) {
                 here.take(speeds, fit);
