@@ -30,7 +30,7 @@ fn read(file: &[u8]) -> Option<(Vec<Moment>, Option<u64>)> {
     if let Some(damage) = recording.damage() {
         assert!(!damage.to_string().is_empty());
     }
-    Some((moments, recording.damage().map(|it| it.good_bytes)))
+    Some((moments, recording.damage().map(|damage| damage.good_bytes)))
 }
 
 /// After a first byte that is odd the records that the bytes spell; after an even one the bytes.
@@ -58,7 +58,7 @@ fn file(input: &[u8]) -> Vec<u8> {
                     "{{\"bytes\":\"a55a\",\"gaps_ns\":[{}]}}",
                     take(&mut rest, usize::from(step / 48))
                         .iter()
-                        .map(|it| (u64::from(*it) << (*it % 60)).to_string())
+                        .map(|number| (u64::from(*number) << (*number % 60)).to_string())
                         .collect::<Vec<_>>()
                         .join(",")
                 );
