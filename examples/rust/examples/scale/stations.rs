@@ -108,11 +108,11 @@ impl Stations {
         let mut looks = interval(LOOK_EVERY);
         loop {
             let view: FleetView = fetch(&first, "/api/v1/fleet").await?;
-            let told = view
+            let reported = view
                 .members
                 .iter()
                 .filter(|station| station.state.is_some());
-            if told.count() == self.all.len() {
+            if reported.count() == self.all.len() {
                 return Ok(Board(reads));
             }
             looks.tick().await;
