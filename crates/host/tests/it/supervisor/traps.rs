@@ -172,7 +172,7 @@ fn a_gesture_after_mouse_packets_is_averaged_with_their_remainder() {
         (place.z, status.z_mm),
     ] {
         let off = (foreseen.0 - f64::from(reported)).abs();
-        assert!(off < 0.001, "foreseen {foreseen:?}, told {reported}");
+        assert!(off < 0.001, "foreseen {foreseen:?}, reported {reported}");
     }
 }
 
