@@ -53,7 +53,7 @@ struct Learner {
     /// When this step began.
     since: Duration,
     /// When the last report arrived.
-    heard: Duration,
+    reported: Duration,
 }
 
 impl Learners {
@@ -77,7 +77,7 @@ impl Learners {
         let learner = Learner {
             progress,
             since,
-            heard: now,
+            reported: now,
         };
         let view = learner.view(now);
         self.0.insert(learner.progress.student.clone(), learner);
@@ -92,7 +92,7 @@ impl Learners {
 
     fn forget(&mut self, now: Duration) {
         self.0
-            .retain(|_, learner| now.saturating_sub(learner.heard) < KEPT_FOR);
+            .retain(|_, learner| now.saturating_sub(learner.reported) < KEPT_FOR);
     }
 }
 

@@ -178,7 +178,7 @@ impl Drawings {
         let number = kept.last;
         let title = new.title();
         let cancel = CancelToken::default();
-        let (tell, progress) = watch::channel(Progress::Waiting);
+        let (sender, progress) = watch::channel(Progress::Waiting);
         let work = Work {
             number,
             title: title.clone(),
@@ -186,7 +186,7 @@ impl Drawings {
             planned_for,
             cancel: cancel.clone(),
         };
-        let work = tokio::spawn(work.run(self.slots.clone(), tell)).abort_handle();
+        let work = tokio::spawn(work.run(self.slots.clone(), sender)).abort_handle();
         let drawing = Drawing {
             title,
             cancel,
@@ -397,9 +397,9 @@ struct Work {
 }
 
 impl Work {
-    async fn run(self, slots: Arc<Semaphore>, tell: watch::Sender<Progress>) {
+    async fn run(self, slots: Arc<Semaphore>, sender: watch::Sender<Progress>) {
         let slot = slots.acquire_owned().await;
-        tell.send_replace(Progress::Planning);
+        sender.send_replace(Progress::Planning);
         let cancel = self.cancel.clone();
         let planning = beside(move || {
             // Held until planning has really ended.
@@ -415,14 +415,14 @@ impl Work {
                 "draw it in parts, or allow a larger tolerance",
             )))
         });
-        tell.send_replace(match planned.and_then(|planned| planned) {
+        sender.send_replace(match planned.and_then(|planned| planned) {
             Ok(planned) => Progress::Planned(Arc::new(planned)),
             Err(problem) => Progress::Failed(problem),
         });
         // A plan may be large, and its client may never return.
         tokio::time::sleep(KEPT_FOR).await;
         let kept_min = KEPT_FOR.as_secs() / 60;
-        tell.send_if_modified(|progress| {
+        sender.send_if_modified(|progress| {
             let is_planned = matches!(progress, Progress::Planned(_));
             if is_planned {
                 *progress = Progress::Failed(BAD_DRAWING.hinted(

@@ -20,14 +20,14 @@ const ARM: Calibration = Calibration {
 };
 
 /// The reported angles of that arm at a point of paper that is 45 mm below.
-fn told([x, y]: [f64; 2]) -> Joints {
+fn reported([x, y]: [f64; 2]) -> Joints {
     let there = Position::new(x, y, -45.0);
     ARM.told_joints(there, Tool::SuctionCup).unwrap()
 }
 
 fn touch(point: [f64; 2]) -> Value {
-    let it = told(point);
-    json!({"place_mm": point, "told_deg": [it.base.0, it.rear.0, it.fore.0]})
+    let joints = reported(point);
+    json!({"place_mm": point, "told_deg": [joints.base.0, joints.rear.0, joints.fore.0]})
 }
 
 /// What the station is asked about touches of a sheet whose bar was measured.

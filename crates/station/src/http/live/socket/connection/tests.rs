@@ -30,7 +30,7 @@ fn caller() -> Caller {
 /// The messages that a client receives; it may stop reading after some of them.
 #[derive(Debug)]
 struct TestSink {
-    heard: Arc<Mutex<Vec<Message>>>,
+    received: Arc<Mutex<Vec<Message>>>,
     reads: usize,
 }
 
@@ -38,7 +38,7 @@ impl Sink<Message> for TestSink {
     type Error = Infallible;
 
     fn poll_ready(self: Pin<&mut Self>, _: &mut Context<'_>) -> Poll<Result<(), Infallible>> {
-        if self.heard.lock().unwrap().len() < self.reads {
+        if self.received.lock().unwrap().len() < self.reads {
             Poll::Ready(Ok(()))
         } else {
             Poll::Pending
@@ -46,7 +46,7 @@ impl Sink<Message> for TestSink {
     }
 
     fn start_send(self: Pin<&mut Self>, message: Message) -> Result<(), Infallible> {
-        self.heard.lock().unwrap().push(message);
+        self.received.lock().unwrap().push(message);
         Ok(())
     }
 
@@ -63,7 +63,7 @@ struct Harness {
     app: Arc<App>,
     telling: Arc<FakeNews>,
     asked: Asked,
-    heard: Arc<Mutex<Vec<Message>>>,
+    received: Arc<Mutex<Vec<Message>>>,
     _end: watch::Sender<bool>,
 }
 
@@ -91,7 +91,7 @@ impl Harness {
             ),
             telling,
             asked,
-            heard: Arc::default(),
+            received: Arc::default(),
             _end: end,
         }
     }
@@ -110,16 +110,16 @@ impl Harness {
             "test".into(),
             &SocketOptions::default(),
         );
-        let heard = self.heard.clone();
+        let received = self.received.clone();
         let mut incoming = incoming;
         connection
-            .run(&mut incoming, &mut TestSink { heard, reads })
+            .run(&mut incoming, &mut TestSink { received, reads })
             .await;
         began.elapsed()
     }
 
     fn close_code(&self) -> Option<u16> {
-        match self.heard.lock().unwrap().last() {
+        match self.received.lock().unwrap().last() {
             Some(Message::Close(Some(frame))) => Some(frame.code),
             _ => None,
         }
@@ -151,7 +151,7 @@ async fn a_client_that_vanishes_is_noticed_within_seconds() {
     assert!((6.0..8.0).contains(&lasted.as_secs_f64()), "{lasted:?}");
     assert_eq!(harness.close_code(), Some(1008));
     let pings = harness
-        .heard
+        .received
         .lock()
         .unwrap()
         .iter()
@@ -253,14 +253,14 @@ async fn hello_is_sent_first_and_earlier_events_after_it() {
         harness.connection(usize::MAX, incoming.chain(pongs())),
     )
     .await;
-    let heard = harness.heard.lock().unwrap();
-    let starts = |at: usize, start: &str| matches!(&heard[at], Message::Text(text) if text.starts_with(start));
+    let received = harness.received.lock().unwrap();
+    let starts = |at: usize, start: &str| matches!(&received[at], Message::Text(text) if text.starts_with(start));
     assert!(
         starts(0, "{\"hello\":") && starts(1, "{\"state\":"),
-        "{heard:?}"
+        "{received:?}"
     );
     assert!(
-        heard.iter().any(
+        received.iter().any(
             |message| matches!(message, Message::Text(text) if text.starts_with("{\"notice\":"))
         )
     );
