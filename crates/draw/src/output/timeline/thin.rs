@@ -19,7 +19,7 @@ fn last_before_a_bend(moments: &[TracePoint], here: usize) -> usize {
     let most = (moments.len() - 1).min(here + MAX_SKIPPED);
     let mut last = here + 1;
     while last < most
-        && goes_on(&moments[last], &moments[last + 1])
+        && continues(&moments[last], &moments[last + 1])
         && is_straight(&moments[here..=last + 1])
     {
         last += 1;
@@ -28,7 +28,7 @@ fn last_before_a_bend(moments: &[TracePoint], here: usize) -> usize {
 }
 
 /// Whether no line begins or ends here.
-fn goes_on(here: &TracePoint, next: &TracePoint) -> bool {
+fn continues(here: &TracePoint, next: &TracePoint) -> bool {
     here.ink == next.ink && here.ink != Ink::Begin
 }
 

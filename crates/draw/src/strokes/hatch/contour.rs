@@ -149,10 +149,10 @@ fn begun_near(ring: &[Point], p: Point) -> Vec<Point> {
         return ring.to_vec();
     };
     let begin = nearest_on(edge, p).0;
-    let behind = &ring[number + 1..];
+    let after = &ring[number + 1..];
     let before = &ring[..=number];
     let mut begun = vec![begin];
-    begun.extend(behind.iter().chain(before).filter(|&&p| p != begin));
+    begun.extend(after.iter().chain(before).filter(|&&p| p != begin));
     begun
 }
 

@@ -145,9 +145,9 @@ impl<'a> LocalSearch<'a> {
             let before = self.tour.previous(node);
             let after = self.tour.next(node);
             // Cut on the side of the node that is travel, because strokes must not be cut.
-            let is_behind = self.nodes.is_stroke(node, after)
+            let cuts_before = self.nodes.is_stroke(node, after)
                 || !self.nodes.is_stroke(node, before) && random.below(2) == 0;
-            *place = self.tour.place(if is_behind { before } else { node });
+            *place = self.tour.place(if cuts_before { before } else { node });
         }
         Some(places)
     }

@@ -182,9 +182,9 @@ impl<'a> Turns<'a> {
 
     /// Moves strokes that begin or end with that of a node next to another one.
     fn shift(&mut self, node: u32, here: usize) -> bool {
-        let behind = self.ends_behind(here).map(|to| (here, to));
+        let after = self.ends_after(here).map(|to| (here, to));
         let before = self.begins_before(here).map(|from| (from, here + 1));
-        let parts = behind.into_iter().chain(before);
+        let parts = after.into_iter().chain(before);
         parts
             .filter(|&(from, to)| from > 0 && to > 0)
             .any(|(from, to)| {
@@ -239,7 +239,7 @@ impl<'a> Turns<'a> {
 
     /// Returns possible ends of parts that begin here: after few strokes, or before a long travel.
     /// 0 means none.
-    fn ends_behind(&self, here: usize) -> [usize; MAX_PARTS] {
+    fn ends_after(&self, here: usize) -> [usize; MAX_PARTS] {
         let is_end =
             |&to: &usize| to - here <= SHORT || to == self.row.len() || self.is_longer(to, to - 1);
         first_of((here + 1..=self.row.len()).take(LONGEST).filter(is_end))

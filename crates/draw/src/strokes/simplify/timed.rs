@@ -288,8 +288,8 @@ impl<'a> CornerPlaces<'a> {
 }
 
 fn is_sharp(before: Point, here: Point, after: Point) -> bool {
-    let (came, goes) = (here - before, after - here);
-    came.dot(goes) < SHARP_COS * came.length() * goes.length()
+    let (incoming, outgoing) = (here - before, after - here);
+    incoming.dot(outgoing) < SHARP_COS * incoming.length() * outgoing.length()
 }
 
 /// The fastest way to reach a place.
@@ -299,14 +299,14 @@ struct Label {
     /// The place before.
     before: usize,
     /// The displacement of the tool in the window before its arrival.
-    came: Vec2,
+    displacement: Vec2,
 }
 
 impl Label {
     const UNREACHED: Self = Self {
         time_s: f64::INFINITY,
         before: 0,
-        came: Vec2::ZERO,
+        displacement: Vec2::ZERO,
     };
 
     /// Returns how the next place is reached from this one.
@@ -323,12 +323,12 @@ impl Label {
         };
         // The arm reports positions a window apart; the difference of two displacements is what it
         // measures as acceleration.
-        let seen = (part(from.after_mm) - self.came).length() / rates.seen_mm;
+        let seen = (part(from.after_mm) - self.displacement).length() / rates.seen_mm;
         let beyond = (seen - SEEN_SHARE).max(0.0);
         Self {
             time_s: self.time_s + took_s + TOO_SHARP_S * beyond * beyond,
             before: here,
-            came: part(to.before_mm),
+            displacement: part(to.before_mm),
         }
     }
 }
