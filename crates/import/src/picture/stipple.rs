@@ -43,9 +43,9 @@ fn scattered(tone: &Tone, seed: u64, spacing_mm: f64) -> Vec<Point> {
                 dots.push(tone.middle(x, y));
             }
             let rest = if is_dot { owed - 1.0 } else { owed };
-            let (ahead, behind) = if forward { (x + 2, x) } else { (x, x + 2) };
+            let (ahead, back) = if forward { (x + 2, x) } else { (x, x + 2) };
             here[ahead] += rest * 7.0 / 16.0;
-            below[behind] += rest * 3.0 / 16.0;
+            below[back] += rest * 3.0 / 16.0;
             below[x + 1] += rest * 5.0 / 16.0;
             below[ahead] += rest / 16.0;
         }

@@ -49,9 +49,9 @@ mod tests {
 
     #[test]
     fn every_name_is_known_to_css() {
-        for it in NAMES.split_whitespace() {
-            let color = Color::from_str(it).unwrap();
-            assert_eq!(&name([color.red, color.green, color.blue]), it);
+        for known in NAMES.split_whitespace() {
+            let color = Color::from_str(known).unwrap();
+            assert_eq!(&name([color.red, color.green, color.blue]), known);
         }
     }
 }

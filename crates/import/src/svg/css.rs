@@ -224,7 +224,7 @@ fn without_line_heights(css: &str) -> String {
         let (before, font) = rest.split_at(at + "font".len());
         whole += before;
         let end = font.find([';', '}']).unwrap_or(font.len());
-        let (value, behind) = font.split_at(end);
+        let (value, after) = font.split_at(end);
         let is_font = value.trim_start().starts_with(':');
         match value.split_once('/').filter(|_| is_font) {
             Some((size, height)) => {
@@ -234,7 +234,7 @@ fn without_line_heights(css: &str) -> String {
             }
             None => whole += value,
         }
-        rest = behind;
+        rest = after;
     }
     whole + rest
 }

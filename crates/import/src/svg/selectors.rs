@@ -142,10 +142,10 @@ impl Question {
                     }
             }
             Self::Place { step, offset, .. } => {
-                let behind = place - offset;
+                let distance = place - offset;
                 match step {
-                    0 => behind == 0,
-                    _ => behind % step == 0 && behind / step >= 0,
+                    0 => distance == 0,
+                    _ => distance % step == 0 && distance / step >= 0,
                 }
             }
             Self::Not(selectors) => {
