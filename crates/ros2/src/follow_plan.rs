@@ -33,7 +33,7 @@ impl FollowPlan {
     /// [`Fault`] if a tolerance of the goal cannot be met.
     pub(crate) fn new(
         wanted: &Wanted,
-        stands: &Status,
+        status: &Status,
         period: Duration,
         tolerance_deg: f64,
     ) -> Result<Self, Fault> {
@@ -48,7 +48,7 @@ impl FollowPlan {
         check_time(wanted, takes_s)?;
         Ok(Self {
             summary: summary(wanted, &thin, moves.len(), takes_s),
-            job: job(&moves, stands),
+            job: job(&moves, status),
             #[cfg(test)]
             takes_s,
         })
@@ -247,7 +247,7 @@ fn percent(way_deg: f64, within_s: f64) -> f64 {
 
 /// Returns the commands: pump and gripper do not change, and the speed at the end is that of
 /// power-up.
-fn job(moves: &[FollowMove], stands: &Status) -> NewJob {
+fn job(moves: &[FollowMove], status: &Status) -> NewJob {
     let mut commands = Vec::new();
     let mut steps = Vec::new();
     let mut now_percent: Option<f64> = None;
@@ -258,7 +258,7 @@ fn job(moves: &[FollowMove], stands: &Status) -> NewJob {
             commands.push(speed(step.percent));
             now_percent = Some(step.percent);
         }
-        commands.push(target(step, stands));
+        commands.push(target(step, status));
     }
     if !moves.is_empty() {
         commands.push(speed(MAX_PERCENT));
@@ -285,11 +285,11 @@ fn speed(percent: f64) -> Command {
     .into()
 }
 
-fn target(to: &FollowMove, stands: &Status) -> Command {
+fn target(to: &FollowMove, status: &Status) -> Command {
     let pause_s = single(to.pause_s);
     MoveJoints {
-        suction: stands.suction,
-        gripper_deg: stands.gripper_deg,
+        suction: status.suction,
+        gripper_deg: status.gripper_deg,
         mode: MovingMode::MovJ,
         pause_s,
         ..MoveJoints::to(to.to_deg.map(single))

@@ -39,23 +39,23 @@ impl Watch {
     /// Runs forever, reconnecting to the station when the connection is lost.
     pub(crate) async fn run(mut self) {
         self.describe();
-        let mut said = None;
+        let mut reported = None;
         loop {
             let why = match self.station.connect("watch").await {
                 Ok(client) => {
                     self.log.info("connected to the station");
-                    said = None;
+                    reported = None;
                     self.diagnosed_s = None;
                     self.policy = self.station.policy().await;
                     self.look(client).await
                 }
                 Err(why) => why,
             };
-            if said.as_ref() != Some(&why) {
+            if reported.as_ref() != Some(&why) {
                 self.log.warn(&why);
             }
             self.wait(&why).await;
-            said = Some(why);
+            reported = Some(why);
         }
     }
 
