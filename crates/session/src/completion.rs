@@ -244,7 +244,7 @@ impl Evidence<'_> {
     /// next one.
     fn passed(&self, first: &First) -> (usize, Option<First>) {
         let (on_trajectory, progress_mm) = self.on_trajectory(first);
-        let arrived_at = self.seen.came_to(self.answer, first, self.in_flight);
+        let arrived_at = self.seen.arrived_at(self.answer, first, self.in_flight);
         let over = on_trajectory
             .max(self.beyond_room())
             .max(arrived_at.unwrap_or(0));
@@ -355,7 +355,7 @@ impl Steady {
 
     /// The first command of which the arm has come to rest where it ends, since it moved. It would not
     /// rest there without a pause, had it got another one to go on with.
-    fn came_to(&self, answer: Duration, first: &First, in_flight: &InFlight) -> Option<usize> {
+    fn arrived_at(&self, answer: Duration, first: &First, in_flight: &InFlight) -> Option<usize> {
         if !self.rests() || self.since <= first.since {
             return None;
         }
