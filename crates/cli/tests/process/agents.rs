@@ -283,8 +283,8 @@ pub(crate) async fn stopped(up: &Up) {
 }
 
 /// Waits for a state of a station without blocking the agents.
-fn wait_for_state(up: &Up, is_it: impl Fn(&Value) -> bool) {
-    tokio::task::block_in_place(|| up.wait_for_state(is_it));
+fn wait_for_state(up: &Up, is_match: impl Fn(&Value) -> bool) {
+    tokio::task::block_in_place(|| up.wait_for_state(is_match));
 }
 
 #[tokio::test(flavor = "multi_thread")]

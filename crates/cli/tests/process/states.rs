@@ -124,9 +124,9 @@ fn the_linear_jog_moves_the_axes_common_to_both_jogs() {
             "specification",
             &["jog", button, "--frame", "linear", "--for", "1"],
         );
-        let is_it =
+        let is_match =
             |command: &Command| matches!(command, Command::LinearJog(jog) if jog.axis == axis);
-        assert!(packets.iter().any(is_it), "{button}: {packets:?}");
+        assert!(packets.iter().any(is_match), "{button}: {packets:?}");
     }
 }
 

@@ -29,12 +29,12 @@ impl Bench {
     }
 
     /// Waits for a command to the arm.
-    pub(crate) fn gets(&self, mut is_it: impl FnMut(&Command) -> bool) -> Command {
+    pub(crate) fn gets(&self, mut is_match: impl FnMut(&Command) -> bool) -> Command {
         let until = Instant::now() + PATIENCE;
         loop {
             assert!(Instant::now() < until, "the arm does not get the command");
             if let Passed::ToArm(_, command) = self.arm.next()
-                && is_it(&command)
+                && is_match(&command)
             {
                 return command;
             }

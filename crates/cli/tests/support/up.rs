@@ -78,8 +78,8 @@ impl Up {
     }
 
     /// Waits until the station reports a matching state.
-    pub(crate) fn wait_for_state(&self, is_it: impl Fn(&Value) -> bool) -> Value {
-        Api::new(&self.page).wait_for_state(is_it)
+    pub(crate) fn wait_for_state(&self, is_match: impl Fn(&Value) -> bool) -> Value {
+        Api::new(&self.page).wait_for_state(is_match)
     }
 
     /// Waits until a job runs.
