@@ -55,7 +55,9 @@ impl Room {
             Err(TryRecvError::Lagged(_)) => panic!("packets of desk {desk} were missed"),
         });
         let mut commands = sent.filter(|sent| sent.to_arm).map(|sent| command(&sent));
-        commands.any(|command| matches!(command, Some(Command::MoveTo(command)) if command.y_mm == BEHIND_MM))
+        commands.any(
+            |command| matches!(command, Some(Command::MoveTo(command)) if command.y_mm == AFTER_MM),
+        )
     }
 
     async fn close(self) {
@@ -88,7 +90,7 @@ fn part(arm: &str, before: &str) -> Part {
         "title = \"part of {arm}\"\n\
          [[steps]]\ngo = {{ x = 200, y = 30, z = 20 }}\n{before}\
          [[steps]]\nbarrier = \"together\"\n\
-         [[steps]]\ngo = {{ x = 200, y = {BEHIND_MM}, z = 20 }}\n"
+         [[steps]]\ngo = {{ x = 200, y = {AFTER_MM}, z = 20 }}\n"
     );
     let program = Program::from_toml(&text).unwrap();
     Part {
@@ -110,7 +112,7 @@ fn to_and_fro(times: u32) -> String {
 }
 
 /// The y of all targets after the barrier.
-const BEHIND_MM: f32 = -30.0;
+const AFTER_MM: f32 = -30.0;
 
 /// A running program and its events.
 struct Running {
@@ -139,11 +141,11 @@ impl Running {
     }
 
     /// Waits for an event; returns it and all events before it.
-    async fn until(&mut self, is_it: impl Fn(&RunEvent) -> bool) -> Vec<RunEvent> {
+    async fn until(&mut self, is_match: impl Fn(&RunEvent) -> bool) -> Vec<RunEvent> {
         let mut all = Vec::new();
         let waiting = async {
             while let Some(event) = self.events.recv().await {
-                let found = is_it(&event);
+                let found = is_match(&event);
                 all.push(event);
                 if found {
                     return true;
