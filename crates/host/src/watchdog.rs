@@ -220,7 +220,7 @@ impl StopRounds {
         if self.sent > 0 || self.received {
             self.next
         } else {
-            self.next + UNHEARD
+            self.next + MAX_SILENCE
         }
     }
 
@@ -254,8 +254,8 @@ impl StopRounds {
 pub(crate) const GAP: Duration = dobot_wire::PACKET_GAP;
 /// Long enough for two statuses to show the effect.
 const RETRY_DELAY: Duration = Duration::from_millis(200);
-/// An arm not heard for this long gets the next round anyway.
-const UNHEARD: Duration = Duration::from_millis(500);
+/// An arm silent for this long gets the next round anyway.
+const MAX_SILENCE: Duration = Duration::from_millis(500);
 /// A packet may get lost; three hardly ever do.
 const ROUNDS: u32 = 3;
 /// More packets do not help an arm that is silent for this long.

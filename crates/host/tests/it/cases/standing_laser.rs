@@ -107,7 +107,7 @@ fn one(figures: &mut StandingLaser, personality: Personality, seed: u64) -> Resu
     let off = |notice: &&dobot_api::Notice| notice.news == News::LaserOff;
     figures.switched_off += scene.station.notices().iter().filter(off).count();
     figures.programs += 1;
-    let stood_s = longest_stand_s(scene.station.arm().samples(), STANDS_MM);
+    let stood_s = longest_stand_s(scene.station.arm().samples(), STILL_MM);
     figures.stood_s.add(stood_s);
     if stood_s > MAX_S {
         figures.late += 1;
@@ -186,7 +186,7 @@ fn failed(station: &VirtualStation, job: u64) -> bool {
 /// A laser at rest is off within that, in seconds.
 pub(crate) const MAX_S: f64 = 0.3;
 /// In the 20 ms from one sample to the next.
-const STANDS_MM: f64 = 0.001;
+const STILL_MM: f64 = 0.001;
 /// The second one lets packets heap up, of which a stock arm may lose one; the others lose no command.
 const LINKS: [&str; 4] = [
     "",

@@ -193,8 +193,8 @@ fn check_reports(what: &str, program: &Program, served: &Served) {
         .iter()
         .filter(|trouble| trouble.starts_with("refused"))
     {
-        let says = |remedy: &&str| text.contains(*remedy);
-        assert!(REMEDIES.iter().any(says), "{what}: {text}");
+        let is_named = |remedy: &&str| text.contains(*remedy);
+        assert!(REMEDIES.iter().any(is_named), "{what}: {text}");
     }
 }
 
