@@ -6,10 +6,10 @@ use svgtypes::Color;
 
 /// The CSS name of a colour, or its hexadecimal digits.
 pub(crate) fn name(rgb: [u8; 3]) -> String {
-    let is_it = |name: &&str| {
+    let is_match = |name: &&str| {
         Color::from_str(name).is_ok_and(|color| [color.red, color.green, color.blue] == rgb)
     };
-    match NAMES.split_whitespace().find(is_it) {
+    match NAMES.split_whitespace().find(is_match) {
         Some(name) => name.to_owned(),
         None => format!("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]),
     }
