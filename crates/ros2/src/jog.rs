@@ -212,7 +212,7 @@ mod tests {
 
     #[test]
     fn an_impossible_motion_is_refused_by_name_with_the_possible_ones() {
-        for (found, says) in [
+        for (found, expected) in [
             (
                 twist([0.01, 0.0, 0.01], [0.0; 3]),
                 "twist.linear.x and twist.linear.z",
@@ -237,7 +237,7 @@ mod tests {
             (joints(&["base", "base"], &[0.1, 0.1]), "base and base"),
         ] {
             let found = found.unwrap_err();
-            assert!(found.contains(says), "{found}");
+            assert!(found.contains(expected), "{found}");
         }
     }
 }
