@@ -68,10 +68,10 @@ impl WebSocket {
     }
 
     /// Waits for a state or notice that meets the condition.
-    pub(crate) fn wait(&mut self, is_it: impl Fn(&Value) -> bool) -> Value {
+    pub(crate) fn wait(&mut self, is_match: impl Fn(&Value) -> bool) -> Value {
         loop {
             let message = self.receive();
-            if is_it(&message) {
+            if is_match(&message) {
                 return message;
             }
         }

@@ -86,7 +86,7 @@ async fn touches_without_information_are_refused_with_a_remedy() {
     let nine: Vec<Value> = all.iter().copied().map(touch).collect();
     let mut scaled = question(&nine);
     scaled["bar_mm"] = json!(0.97 * Sheet::chosen_by(17).bar_mm());
-    for (body, says) in [
+    for (body, expected) in [
         (question(&[]), "the number of touches is 0"),
         (question(&three), "at least 4"),
         (question(&wrong), "again"),
@@ -99,7 +99,7 @@ async fn touches_without_information_are_refused_with_a_remedy() {
             .await;
         let (kind, detail) = answer.is(422).problem();
         assert_eq!(kind, "bad-touches");
-        assert!(detail.contains(says), "{detail}");
+        assert!(detail.contains(expected), "{detail}");
     }
     assert!(harness.asked().is_empty(), "nothing is asked of the arm");
 }

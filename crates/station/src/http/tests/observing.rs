@@ -32,7 +32,7 @@ async fn health_is_public_and_metrics_are_for_watchers() {
 async fn the_metrics_are_those_of_the_state_each_explained_once() {
     let harness = Harness::near();
     let reported = state(7.5);
-    harness.telling.ends.publish_state(reported.clone());
+    harness.publisher.ends.publish_state(reported.clone());
     let answer = harness.get("/metrics").await;
     let text = &answer.is(200).body;
     let figure = |name: &str| {
@@ -95,10 +95,10 @@ fn events(text: &str) -> Vec<(String, Value)> {
 #[tokio::test]
 async fn events_begin_with_the_state_and_the_missed_notices() {
     let harness = Harness::near();
-    harness.telling.ends.publish_state(state(7.5));
+    harness.publisher.ends.publish_state(state(7.5));
     for number in 1..=4 {
         let notice = notice(number, News::LinkUp, "the link came up");
-        harness.telling.ends.publish_notice(notice);
+        harness.publisher.ends.publish_notice(notice);
     }
     let request = harness
         .request("GET", "/api/v1/events")
@@ -152,7 +152,7 @@ async fn packets_are_reported_in_both_directions_and_decoded_and_dropped_ones_ar
     };
     let publish = |to_arm: bool, bytes: [u8; 42]| {
         let at = Duration::from_millis(1_500);
-        let ends = &harness.telling.ends;
+        let ends = &harness.publisher.ends;
         ends.publish_packet(PassedPacket {
             at,
             to_arm,

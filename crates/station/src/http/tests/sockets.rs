@@ -15,7 +15,7 @@ use crate::{Served, Token, Tokens, Web, serve};
 
 struct Station {
     served: Served,
-    telling: std::sync::Arc<FakeNews>,
+    publisher: std::sync::Arc<FakeNews>,
     asked: Asked,
     handle: dobot_host::StationHandle,
     folder: tempfile::TempDir,
@@ -26,11 +26,11 @@ type Socket = WebSocketStream<MaybeTlsStream<TcpStream>>;
 impl Station {
     async fn start() -> Self {
         let folder = tempfile::tempdir().unwrap();
-        let (handle, telling, asked) = driver();
+        let (handle, publisher, asked) = driver();
         let web = Web::new("127.0.0.1:0".parse().unwrap(), Folders::at(folder.path()));
         Self {
             served: serve(&web, handle.clone()).await.unwrap(),
-            telling,
+            publisher,
             asked,
             handle,
             folder,
@@ -59,7 +59,7 @@ impl Station {
     /// Returns the clients that left, after the driver has received all requests.
     async fn gone(&self) -> Vec<ClientId> {
         self.handle.jobs().await.unwrap();
-        self.telling.gone.lock().unwrap().clone()
+        self.publisher.gone.lock().unwrap().clone()
     }
 }
 
@@ -97,10 +97,10 @@ async fn a_client_is_greeted_and_receives_the_state_and_the_events() {
     assert_eq!(hello["hello"]["role"], "admin");
     assert_eq!(hello["hello"]["dead_man_s"], 0.15);
     assert_eq!(next(&mut socket).await, json!({"state": state(0.0)}));
-    station.telling.ends.publish_state(state(1.0));
+    station.publisher.ends.publish_state(state(1.0));
     assert_eq!(next(&mut socket).await, json!({"state": state(1.0)}));
     station
-        .telling
+        .publisher
         .ends
         .publish_notice(notice(4, News::LinkLost, "the link is lost"));
     assert_eq!(
@@ -255,7 +255,7 @@ async fn a_client_that_floods_is_closed_and_others_are_notified() {
     let (code, reason) = farewell.unwrap();
     assert_eq!(code, 1008);
     assert!(reason.contains("1000 messages"), "{reason}");
-    let trouble = station.telling.trouble.lock().unwrap().clone();
+    let trouble = station.publisher.trouble.lock().unwrap().clone();
     assert!(
         matches!(&trouble[..], [one] if one.starts_with("client 1 (flood) was dropped")),
         "{trouble:?}"
@@ -297,7 +297,7 @@ async fn a_hundred_watchers_miss_nothing() {
         }));
     }
     for n in 1..=STATES {
-        station.telling.ends.publish_state(state(f64::from(n)));
+        station.publisher.ends.publish_state(state(f64::from(n)));
     }
     for watcher in watching {
         watcher.await.unwrap();

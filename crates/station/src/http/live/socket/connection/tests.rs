@@ -61,7 +61,7 @@ impl Sink<Message> for TestSink {
 
 struct Harness {
     app: Arc<App>,
-    telling: Arc<FakeNews>,
+    publisher: Arc<FakeNews>,
     asked: Asked,
     received: Arc<Mutex<Vec<Message>>>,
     _end: watch::Sender<bool>,
@@ -71,7 +71,7 @@ impl Harness {
     fn new() -> Self {
         let folder = tempfile::tempdir().unwrap();
         let tokens = Tokens::open(&folder.path().join("tokens.toml")).unwrap();
-        let (handle, telling, asked) = driver();
+        let (handle, publisher, asked) = driver();
         let (end, ending) = watch::channel(false);
         Self {
             app: App::new(
@@ -89,7 +89,7 @@ impl Harness {
                 None,
                 ending,
             ),
-            telling,
+            publisher,
             asked,
             received: Arc::default(),
             _end: end,
@@ -127,7 +127,7 @@ impl Harness {
 
     async fn trouble(&self) -> Vec<String> {
         self.app.handle.jobs().await.unwrap();
-        self.telling.trouble.lock().unwrap().clone()
+        self.publisher.trouble.lock().unwrap().clone()
     }
 }
 
@@ -181,10 +181,10 @@ async fn a_client_that_does_not_read_is_dropped_and_watchers_are_notified() {
 #[tokio::test(start_paused = true)]
 async fn a_client_that_lags_too_many_states_is_dropped() {
     let harness = Harness::new();
-    let telling = harness.telling.clone();
+    let publisher = harness.publisher.clone();
     let incoming = Box::pin(stream::once(async move {
         for _ in 0..2 * StationHandle::STATES {
-            telling.ends.publish_state(state(0.0));
+            publisher.ends.publish_state(state(0.0));
         }
         text(r#"{"id": 1, "request": {"type": "release"}}"#)
     }));
@@ -243,9 +243,9 @@ async fn an_aborted_connection_is_not_reported_as_an_error() {
 #[tokio::test(start_paused = true)]
 async fn hello_is_sent_first_and_earlier_events_after_it() {
     let harness = Harness::new();
-    let telling = harness.telling.clone();
+    let publisher = harness.publisher.clone();
     let incoming = Box::pin(stream::once(async move {
-        telling.ends.publish_notice(notice(1, News::LinkUp, "up"));
+        publisher.ends.publish_notice(notice(1, News::LinkUp, "up"));
         text("")
     }));
     let _ = timeout(
