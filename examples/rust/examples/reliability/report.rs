@@ -330,7 +330,7 @@ impl Report {
     }
 
     fn standing_laser(&mut self, programs: u64) {
-        self.line(STANDS);
+        self.line(STANDING_LASER);
         self.table(
             ["who sends it", "link"],
             &[
@@ -510,7 +510,7 @@ Long lines are [split](drawing.md#how-the-plan-is-made). On a stock arm a vector
 30 mm/s it takes up to 0.6 s, and the light lasts up to 0.9 s. A slower link needs vectors earlier, and the light lasts longer
 by as much.";
 
-const STANDS: &str = "
+const STANDING_LASER: &str = "
 ## The laser and an arm that stands
 
 Burning and other vectors at random, with and without pauses between them: requests of a client, packets of a raw program, and
