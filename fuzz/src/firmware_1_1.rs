@@ -7,6 +7,6 @@ pub fn firmware_1_1(input: &[u8]) {
         assert!([0.0, 1.0].contains(&status.float(9)), "{status:?}");
         let joints = controller.joints_at(std::time::Duration::MAX);
         let angles = [joints.base, joints.rear, joints.fore, joints.servo];
-        assert!(angles.iter().all(|it| it.0.is_finite()), "{joints:?}");
+        assert!(angles.iter().all(|angle| angle.0.is_finite()), "{joints:?}");
     });
 }

@@ -26,11 +26,11 @@ pub fn mcap(input: &[u8]) {
 /// What a recording tells, and how much of the file is good where not all of it is.
 fn read(file: &[u8]) -> Option<(Vec<Moment>, Option<u64>)> {
     let mut recording = Recording::over(Cursor::new(file.to_vec())).ok()?;
-    let moments: Vec<Moment> = recording.by_ref().take(MOST).collect();
+    let moments: Vec<Moment> = recording.by_ref().take(MAX_COUNT).collect();
     if let Some(damage) = recording.damage() {
         assert!(!damage.to_string().is_empty());
     }
-    Some((moments, recording.damage().map(|it| it.good_bytes)))
+    Some((moments, recording.damage().map(|damage| damage.good_bytes)))
 }
 
 /// After a first byte that is odd the records that the bytes spell; after an even one the bytes.
@@ -58,7 +58,7 @@ fn file(input: &[u8]) -> Vec<u8> {
                     "{{\"bytes\":\"a55a\",\"gaps_ns\":[{}]}}",
                     take(&mut rest, usize::from(step / 48))
                         .iter()
-                        .map(|it| (u64::from(*it) << (*it % 60)).to_string())
+                        .map(|number| (u64::from(*number) << (*number % 60)).to_string())
                         .collect::<Vec<_>>()
                         .join(",")
                 );
@@ -147,4 +147,4 @@ fn whole_chunk(step: u8, records: &[u8]) -> Vec<u8> {
 const MAGIC: &[u8; 8] = b"\x89MCAP0\r\n";
 
 /// More than an input of some hundred bytes can tell.
-const MOST: usize = 100_000;
+const MAX_COUNT: usize = 100_000;

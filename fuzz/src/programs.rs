@@ -28,7 +28,7 @@ pub fn programs(input: &[u8]) {
     job.program
         .check(job.commands.len())
         .expect("a job takes it");
-    if compiled.commands.len() <= MOST_CHECKED {
+    if compiled.commands.len() <= MAX_CHECKED {
         let start = Model::new(Dialect::FIRMWARE_1_1, &Status::AT_ZERO);
         let report = check(&compiled, &Policy::default(), start);
         assert!(report.steps_s.iter().all(|step_s| step_s.is_finite()));
@@ -37,7 +37,7 @@ pub fn programs(input: &[u8]) {
 }
 
 /// As many are looked at quickly enough.
-const MOST_CHECKED: usize = 1000;
+const MAX_CHECKED: usize = 1000;
 
 const WORDS: &[&str] = &[
     "title = \"a\"\n",

@@ -22,7 +22,7 @@ pub fn requests(input: &[u8]) {
 
 /// A request, alone or in a message of the WebSocket.
 fn read(line: &str) -> Option<Request> {
-    let message = serde_json::from_str(line).map(|it: FromClient| it.request);
+    let message = serde_json::from_str(line).map(|message: FromClient| message.request);
     let request = message.or_else(|_| serde_json::from_str(line)).ok()?;
     let again = serde_json::to_string(&request).expect("a request is JSON");
     // A number beyond single precision is read as infinite, for which JSON has no number.

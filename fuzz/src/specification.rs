@@ -6,7 +6,7 @@ use dobot_controller::Personality;
 pub fn specification(input: &[u8]) {
     crate::drive(Personality::Specification, input, |_, status| {
         assert!(
-            status.floats().iter().all(|it| it.is_finite()),
+            status.floats().iter().all(|float| float.is_finite()),
             "{status:?}"
         );
         let angle = |n| f64::from(status.float(n));

@@ -42,7 +42,7 @@ impl Lines {
 
     /// Begins a line with this number of points; more may follow.
     fn begin(&mut self, points: usize) {
-        self.0.push(Vec::with_capacity(points.min(MOST_FORESEEN)));
+        self.0.push(Vec::with_capacity(points.min(MAX_FORESEEN)));
     }
 
     /// Appends points to the last line: the bytes of x and y as 64-bit floats.
@@ -65,7 +65,7 @@ impl Lines {
 }
 
 /// The maximum number of points for which memory is reserved in advance.
-const MOST_FORESEEN: usize = 10_000_000;
+const MAX_FORESEEN: usize = 10_000_000;
 
 #[pymethods]
 impl Drawing {

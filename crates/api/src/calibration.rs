@@ -110,17 +110,17 @@ impl PaperPlane {
             [
                 ("paper.heights x", x_mm, FARTHEST_MM),
                 ("paper.heights y", y_mm, FARTHEST_MM),
-                ("paper.heights higher", higher_mm, MOST_BENT_MM),
+                ("paper.heights higher", higher_mm, MAX_BENT_MM),
             ]
         });
         let count = self.heights.len();
-        let too_many = (count > MOST_HEIGHTS).then_some(NoSuchArm {
+        let too_many = (count > MAX_HEIGHTS).then_some(NoSuchArm {
             key: "the number of paper.heights",
             #[expect(clippy::cast_precision_loss, reason = "a count")]
             found: count as f64,
             least: 0.0,
             #[expect(clippy::cast_precision_loss, reason = "a small count")]
-            most: MOST_HEIGHTS as f64,
+            most: MAX_HEIGHTS as f64,
         });
         let beyond = numbers.into_iter().find(wrong);
         let beyond = beyond.map(|(key, found, most)| NoSuchArm {
@@ -246,11 +246,11 @@ impl CalibrationFile {
 /// The farthest reach of the arm.
 const FARTHEST_MM: f64 = 400.0;
 /// Larger deviations are not paper on a table.
-const MOST_BENT_MM: f64 = 20.0;
+const MAX_BENT_MM: f64 = 20.0;
 /// Fits on one line with other text, in characters.
 const LONGEST_NAME: usize = 64;
 /// More points than a person would touch.
-const MOST_HEIGHTS: usize = 400;
+const MAX_HEIGHTS: usize = 400;
 
 /// The error returned when a calibration has a number outside its range.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

@@ -24,7 +24,7 @@ pub struct TimeSlot {
 
 impl TimeSlot {
     /// The maximum number of slots of an arm.
-    pub const MOST: usize = 200;
+    pub const MAX_COUNT: usize = 200;
     /// The latest end of the last slot, in seconds from now.
     pub const LONGEST_S: f64 = 86_400.0;
 }

@@ -131,14 +131,14 @@ impl fmt::Display for OutOfRange<'_> {
         write!(
             f,
             ": {}{unit} {how}",
-            readable(excess.max(1.0 / TOLD_PER_UNIT))
+            readable(excess.max(1.0 / READABLE_PER_UNIT))
         )
     }
 }
 
 /// Four decimals at most, as a person reads a length or an angle.
 fn readable(value: f64) -> f64 {
-    libm::round(value * TOLD_PER_UNIT) / TOLD_PER_UNIT
+    libm::round(value * READABLE_PER_UNIT) / READABLE_PER_UNIT
 }
 
-const TOLD_PER_UNIT: f64 = 1e4;
+const READABLE_PER_UNIT: f64 = 1e4;

@@ -5,7 +5,7 @@ use dobot_arm::{Calibration, Plane, Position, Tool};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::outliers::{Kept, LEAST_WIDTH_MM, width_without, without_wrong};
+use crate::outliers::{Kept, MIN_WIDTH_MM, width_without, without_wrong};
 use crate::solve::{Numbers, Solved, Suspect, TOUCH_MM, length, norm_squared, solve};
 use crate::{FitError, SHEET_POINTS, Touch};
 
@@ -109,10 +109,10 @@ pub fn fit(touches: &[Touch], tool: Tool) -> Result<Fit, FitError> {
         .map(|touch| length(&away_mm(touch)))
         .collect();
     let typical_mm = (norm_squared(&distances) / count(distances.len())).sqrt();
-    if typical_mm > MOST_TYPICAL_MM {
+    if typical_mm > MAX_TYPICAL_MM {
         let contradiction = FitError::Contradiction {
             typical_mm,
-            allowed_mm: MOST_TYPICAL_MM,
+            allowed_mm: MAX_TYPICAL_MM,
         };
         return Err(what_went_wrong(touches, tool, &kept.solved).unwrap_or(contradiction));
     }
@@ -147,13 +147,13 @@ fn check(touches: &[Touch]) -> Result<(), FitError> {
             return Err(FitError::NoPlace { number, x_mm, y_mm });
         }
     }
-    if touches.len() < LEAST_TOUCHES {
+    if touches.len() < MIN_TOUCHES {
         return Err(FitError::TooFew {
             found: touches.len(),
         });
     }
     let width_mm = width_without(touches, &[]);
-    if width_mm < LEAST_WIDTH_MM {
+    if width_mm < MIN_WIDTH_MM {
         return Err(FitError::InLine { width_mm });
     }
     Ok(())
@@ -253,7 +253,7 @@ fn advice(solved: &Solved, tool: Tool) -> Option<Advice> {
     let judged = candidates.map(|touch| (touch, solved.unsure_with(&touch, tool)));
     let (best, then) = judged.min_by(|a, b| a.1.total_cmp(&b.1))?;
     let gain = 1.0 - then / now.max(1e-12);
-    (gain > LEAST_GAIN).then_some(Advice {
+    (gain > MIN_GAIN).then_some(Advice {
         place_mm: best.place_mm,
         height_mm: best.height_mm,
         gain,
@@ -295,7 +295,7 @@ const fn count(touches: usize) -> f64 {
     touches as f64
 }
 
-const LEAST_TOUCHES: usize = 4;
+const MIN_TOUCHES: usize = 4;
 /// The least number of touches that have to agree to detect a wrong one.
 const TOUCHES_TO_JUDGE: usize = 6;
 const FARTHEST_MM: f64 = 400.0;
@@ -305,8 +305,8 @@ const STEP_GAIN: f64 = 16.0;
 /// A tool offset beyond which a person has to measure it.
 const UNUSUAL_TOOL_MM: f64 = 8.0;
 const GOOD_TYPICAL_MM: f64 = 0.7;
-const MOST_TYPICAL_MM: f64 = 1.5;
+const MAX_TYPICAL_MM: f64 = 1.5;
 /// The number of parameters that determine a position in the plane.
 const NUMBERS_OF_A_PLACE: f64 = 6.0;
 const BLOCK_MM: f64 = 40.0;
-const LEAST_GAIN: f64 = 0.1;
+const MIN_GAIN: f64 = 0.1;

@@ -51,8 +51,8 @@ pub(crate) fn without_wrong(touches: &[Touch], tool: Tool) -> Kept {
     // Two wrong touches can hide each other: a pair is compared with the best single one even if
     // that is not wrong by itself.
     let mut fewer: Option<Kept> = None;
-    for count in 1..=LEAST_TOUCHES.len() {
-        if touches.len() < LEAST_TOUCHES[count - 1] {
+    for count in 1..=MIN_TOUCHES.len() {
+        if touches.len() < MIN_TOUCHES[count - 1] {
             break;
         }
         let Some(wrong) = best_choice(&all, touches, count) else {
@@ -83,7 +83,7 @@ fn best_choice(all: &Solved, touches: &[Touch], count: usize) -> Option<Vec<usiz
     };
     choices
         .into_iter()
-        .filter(|choice| width_without(touches, choice) >= LEAST_WIDTH_MM)
+        .filter(|choice| width_without(touches, choice) >= MIN_WIDTH_MM)
         .map(|choice| (all.cost_without(&choice), choice))
         .min_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, choice)| choice)
@@ -100,9 +100,9 @@ pub(crate) fn width_without(touches: &[Touch], left_out: &[usize]) -> f64 {
 }
 
 /// The least number of touches in which one wrong touch, and two, can be identified.
-const LEAST_TOUCHES: [usize; 2] = [6, 10];
+const MIN_TOUCHES: [usize; 2] = [6, 10];
 /// The least width of the strip that holds all points.
-pub(crate) const LEAST_WIDTH_MM: f64 = 60.0;
+pub(crate) const MIN_WIDTH_MM: f64 = 60.0;
 /// How much better the others agree without a wrong touch, in squared standard deviations of a
 /// touch.
 const WRONG_GAIN: f64 = 20.0;

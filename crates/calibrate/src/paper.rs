@@ -32,7 +32,7 @@ impl TouchedPaper {
 ///
 /// [`PaperTouchError`] if the touches do not determine the paper.
 pub fn paper(touched: &[[f64; 3]]) -> Result<TouchedPaper, PaperTouchError> {
-    if touched.len() < LEAST_TOUCHES {
+    if touched.len() < MIN_TOUCHES {
         return Err(PaperTouchError::TooFew(touched.len()));
     }
     let mut places = (1..).zip(touched);
@@ -48,10 +48,10 @@ pub fn paper(touched: &[[f64; 3]]) -> Result<TouchedPaper, PaperTouchError> {
     let farthest = (1..)
         .zip(&away_mm)
         .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-    if let Some((number, &away_mm)) = farthest.filter(|touch| touch.1.abs() > MOST_BENT_MM) {
+    if let Some((number, &away_mm)) = farthest.filter(|touch| touch.1.abs() > MAX_BENT_MM) {
         return Err(PaperTouchError::NoPaper { number, away_mm });
     }
-    let heights: Vec<[f64; 3]> = if touched.len() > LEAST_TOUCHES {
+    let heights: Vec<[f64; 3]> = if touched.len() > MIN_TOUCHES {
         let bent = touched.iter().zip(&away_mm);
         bent.map(|([x_mm, y_mm, _], away_mm)| [*x_mm, *y_mm, *away_mm])
             .collect()
@@ -77,8 +77,7 @@ pub fn paper(touched: &[[f64; 3]]) -> Result<TouchedPaper, PaperTouchError> {
 fn same_place(touched: &[[f64; 3]]) -> Option<(usize, usize)> {
     let place = |&[x_mm, y_mm, _]: &[f64; 3]| Point::new(x_mm, y_mm);
     (0..touched.len()).find_map(|second| {
-        let near =
-            |other: &[f64; 3]| place(other).distance(place(&touched[second])) < LEAST_APART_MM;
+        let near = |other: &[f64; 3]| place(other).distance(place(&touched[second])) < MIN_APART_MM;
         let first = touched[..second].iter().position(near)?;
         Some((first + 1, second + 1))
     })
@@ -104,7 +103,7 @@ pub enum PaperTouchError {
     Plane(#[from] PaperError),
     /// A touch is too far from the common plane.
     #[error(
-        "touch {number} is {away_mm:.1} mm from the plane of all touches; allowed are {MOST_BENT_MM} mm; touch it again"
+        "touch {number} is {away_mm:.1} mm from the plane of all touches; allowed are {MAX_BENT_MM} mm; touch it again"
     )]
     NoPaper {
         /// The number of the touch, counted from 1.
@@ -114,10 +113,10 @@ pub enum PaperTouchError {
     },
 }
 
-const LEAST_TOUCHES: usize = 3;
-const LEAST_APART_MM: f64 = 5.0;
+const MIN_TOUCHES: usize = 3;
+const MIN_APART_MM: f64 = 5.0;
 /// Paper on a table does not bend more than this.
-const MOST_BENT_MM: f64 = 3.0;
+const MAX_BENT_MM: f64 = 3.0;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

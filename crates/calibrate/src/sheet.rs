@@ -63,7 +63,7 @@ impl Sheet {
         let percent = measured_mm / self.bar_mm() * 100.0;
         if (measured_mm - self.bar_mm()).abs() <= BAR_TOLERANCE_MM {
             Ok(())
-        } else if (LEAST_PERCENT..=MOST_PERCENT).contains(&percent) {
+        } else if (MIN_PERCENT..=MAX_PERCENT).contains(&percent) {
             Err(BarError::Scaled {
                 number: self.0,
                 measured_mm,
@@ -81,7 +81,7 @@ impl Sheet {
     /// different bars, shorter than a ruler of 200 mm.
     #[must_use]
     pub fn bar_mm(self) -> f64 {
-        LEAST_BAR_MM + f64::from(self.0 * 37 % 80) * 0.5
+        MIN_BAR_MM + f64::from(self.0 * 37 % 80) * 0.5
     }
 
     /// Returns the sheet as SVG at true size. Its near edge faces the arm.
@@ -188,11 +188,11 @@ pub(crate) const HIGH_MM: f64 = 210.0;
 const NEAR_EDGE_MM: f64 = 95.0;
 const FIRST: u16 = 100;
 const LAST: u16 = 999;
-const LEAST_BAR_MM: f64 = 155.0;
+const MIN_BAR_MM: f64 = 155.0;
 const BAR_TOLERANCE_MM: f64 = 0.5;
 /// The sizes at which printers scale a page.
-const LEAST_PERCENT: f64 = 90.0;
-const MOST_PERCENT: f64 = 110.0;
+const MIN_PERCENT: f64 = 90.0;
+const MAX_PERCENT: f64 = 110.0;
 
 #[cfg(test)]
 mod tests {

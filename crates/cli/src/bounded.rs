@@ -15,9 +15,9 @@ pub(crate) fn bytes(mut from: impl Read, most: impl FnOnce(&[u8]) -> u64) -> io:
 
 /// Reads a settings file: a policy, defaults, materials or a calibration.
 pub(crate) fn settings(file: &Path) -> io::Result<String> {
-    let bytes = bytes(File::open(file)?, |_| MOST_OF_SETTINGS)?;
-    if bytes.len() as u64 > MOST_OF_SETTINGS {
-        let most_mb = MOST_OF_SETTINGS / 1_000_000;
+    let bytes = bytes(File::open(file)?, |_| MAX_SETTINGS)?;
+    if bytes.len() as u64 > MAX_SETTINGS {
+        let most_mb = MAX_SETTINGS / 1_000_000;
         let problem = format!(
             "it has more than {most_mb} MB, the maximum for a settings file; check that it is the right file"
         );
@@ -30,7 +30,7 @@ pub(crate) fn settings(file: &Path) -> io::Result<String> {
 /// The number of first bytes, which identify the kind of a file.
 const START: u64 = 1000;
 /// The maximum size of a settings file; the longest known one has about 10,000 bytes.
-const MOST_OF_SETTINGS: u64 = 1_000_000;
+const MAX_SETTINGS: u64 = 1_000_000;
 
 #[cfg(test)]
 mod tests {

@@ -176,15 +176,15 @@ async fn follow(
     let mut interrupted = false;
     let mut watch = JobWatch::new(job);
     loop {
-        let heard = tokio::select! {
-            heard = station.next() => heard?,
+        let event = tokio::select! {
+            event = station.next() => event?,
             () = &mut interrupt, if !interrupted => {
                 interrupted = true;
                 pause(station).await?;
                 continue;
             }
         };
-        match heard {
+        match event {
             StationEvent::State(state) => {
                 if let Some(view) = state.job.as_ref().filter(|view| view.job == job) {
                     show(bar, view, is_virtual);

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::time::Duration;
 
-use crate::latency::MOST;
+use crate::latency::MAX_LATENCY;
 
 /// The reason not to move an arm that conforms to the protocol.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,7 +26,7 @@ impl fmt::Display for Hindrance {
                 f,
                 "the round-trip time of the line is {} ms; at most {} ms is allowed",
                 took.as_millis(),
-                MOST.as_millis()
+                MAX_LATENCY.as_millis()
             ),
         }
     }

@@ -50,7 +50,7 @@ impl fmt::Display for Latency {
 
 /// The longest supported latency. It delays the detection of a lost release, and the arm must not
 /// leave its space of 30 mm by then.
-pub(crate) const MOST: Duration = Duration::from_millis(600);
+pub(crate) const MAX_LATENCY: Duration = Duration::from_millis(600);
 /// The earliest response without delay: the command acts in the next tick, which is ten milliseconds
 /// later or so, that tick or the next one reports it (note N41), and its status has 42 bytes to come.
 const AT_ONCE: Duration = Duration::from_millis(64);

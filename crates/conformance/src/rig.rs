@@ -196,7 +196,7 @@ impl Rig {
     /// The gap between two packets, so that jitter does not merge them.
     fn gap(&self) -> Duration {
         let jitter = self.latency.map_or(Duration::ZERO, |it| it.jitter());
-        GAP + jitter.min(MOST_GAP)
+        GAP + jitter.min(MAX_GAP)
     }
 
     /// The worst latency of a response.
@@ -444,7 +444,7 @@ pub(crate) const BYTE: Duration = Duration::from_micros(1045);
 /// A stock arm may lose a packet after a shorter gap (note N26).
 const GAP: Duration = Duration::from_millis(12);
 /// Nine packets must arrive during a vector of 1.4 s.
-const MOST_GAP: Duration = Duration::from_millis(90);
+const MAX_GAP: Duration = Duration::from_millis(90);
 /// A tick, the tick that a status lags behind, the time between two statuses, and the way of one
 /// over the line; twenty more for a serial port over USB.
 const REACTION: Duration = Duration::from_millis(200);

@@ -238,7 +238,7 @@ fn reach_mm<E>(
     };
     let middle = settings.placement.area.center().x.round();
     let last = |step: f64| {
-        let places = (0..MOST_REACH_MM).map(|i| middle + step * f64::from(i));
+        let places = (0..MAX_REACH_MM).map(|i| middle + step * f64::from(i));
         places.take_while(|&x| x > 0.0 && reaches(x)).last()
     };
     // The first of both is inside, and no vector ends exactly on the edge.
@@ -259,7 +259,7 @@ fn beside_mm(tool: DrawingTool, settings: &Settings) -> f64 {
 }
 
 /// Larger than the reach of any arm.
-const MOST_REACH_MM: u32 = 400;
+const MAX_REACH_MM: u32 = 400;
 
 #[cfg(test)]
 mod tests;

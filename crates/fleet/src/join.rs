@@ -201,8 +201,8 @@ impl Joined {
                         }
                     }
                 }
-                came = incoming(self.network.as_mut()) => {
-                    self.handle_incoming(came, &responder, &mut asking);
+                message = incoming(self.network.as_mut()) => {
+                    self.handle_incoming(message, &responder, &mut asking);
                 }
                 Some(wish) = self.end.wishes.recv() => match wish {
                     FleetCommand::Look(seen) => self.look(seen).await,
@@ -250,8 +250,13 @@ impl Joined {
         }
     }
 
-    fn handle_incoming(&mut self, came: Incoming, responder: &Responder, asking: &mut JoinSet<()>) {
-        match came {
+    fn handle_incoming(
+        &mut self,
+        incoming: Incoming,
+        responder: &Responder,
+        asking: &mut JoinSet<()>,
+    ) {
+        match incoming {
             Incoming::Life(sample) => self.handle_presence(&sample),
             Incoming::Asked(query) => {
                 asking.spawn(responder.clone().answer(query));

@@ -62,10 +62,10 @@ impl Alive {
     }
 
     fn statement(&self) -> Vec<u8> {
-        statement("alive", &[self.said().as_bytes()])
+        statement("alive", &[self.prefix().as_bytes()])
     }
 
-    fn said(&self) -> String {
+    fn prefix(&self) -> String {
         let Self {
             member: MemberKey { name, id },
             messages,
@@ -77,7 +77,7 @@ impl Alive {
     }
 
     pub(crate) fn key(&self) -> String {
-        format!("{}/{}", self.said(), BASE64URL_NOPAD.encode(&self.proof))
+        format!("{}/{}", self.prefix(), BASE64URL_NOPAD.encode(&self.proof))
     }
 
     /// Parses a key; `None` if it is not the key of a station.

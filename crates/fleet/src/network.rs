@@ -51,7 +51,7 @@ pub(crate) enum Incoming {
 }
 
 /// The timeout for state queries.
-const TELL_WITHIN: Duration = Duration::from_secs(1);
+const QUERY_TIMEOUT: Duration = Duration::from_secs(1);
 /// How long the subscription lasts after the last use.
 const FOLLOW_FOR: Duration = Duration::from_secs(10);
 /// The capacity of the queue of published states; beyond it the oldest is dropped, since each
@@ -219,12 +219,12 @@ pub(crate) async fn ask_all(session: Session) -> Vec<Sample> {
         .get(of_all(STATE))
         .target(QueryTarget::All)
         .consolidation(ConsolidationMode::None)
-        .timeout(TELL_WITHIN)
+        .timeout(QUERY_TIMEOUT)
         .await;
     let mut samples = Vec::new();
     if let Ok(replies) = replies {
         // A member that does not answer delays the others no longer than this.
-        let _ = timeout(TELL_WITHIN, async {
+        let _ = timeout(QUERY_TIMEOUT, async {
             while let Ok(reply) = replies.recv_async().await {
                 samples.extend(reply.into_result());
             }

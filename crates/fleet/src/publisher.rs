@@ -69,7 +69,7 @@ fn state_statement(member: &MemberKey, run: u64, count: u64, state: &[u8]) -> Ve
 /// The maximum length of a state, in bytes.
 const LONGEST: usize = 256 * 1024;
 /// The maximum number of groups or offers.
-const MOST_WORDS: usize = 64;
+const MAX_WORDS: usize = 64;
 /// The maximum length of a page address, in bytes.
 const LONGEST_PAGE: usize = 200;
 
@@ -89,7 +89,7 @@ pub(crate) fn read(message: &[u8], name: &str, holder: &str) -> Result<StateRepo
     let about = &mut report.about;
     for words in [&mut about.groups, &mut about.offers] {
         words.retain(|word| is_fleet_name(word));
-        words.truncate(MOST_WORDS);
+        words.truncate(MAX_WORDS);
     }
     about.version = plain(&about.version, 40);
     about.page.take_if(|page| !is_page(page));

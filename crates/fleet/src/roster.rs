@@ -71,9 +71,9 @@ fn claim(peer: Option<&Peer>, name: &str) -> Claim {
 }
 
 /// The maximum number of stations per certificate: one that hosts 200 virtual arms.
-const MOST_OF_ONE: usize = 201;
+const MAX_PER_CERTIFICATE: usize = 201;
 /// The maximum number of stations: bounds the memory that a flood of names can take.
-pub(crate) const MOST: usize = 2000;
+pub(crate) const MAX_STATIONS: usize = 2000;
 
 impl Roster {
     pub(crate) fn new(own: MemberKey) -> Self {
@@ -177,10 +177,10 @@ impl Roster {
     /// certificate cannot take the room of all others.
     fn makes_room(&mut self, peer: Option<&Peer>) -> bool {
         let by_same = |seen: &&KnownStation| seen.peer.as_deref() == peer;
-        if peer.is_some() && self.seen.values().filter(by_same).count() >= MOST_OF_ONE {
+        if peer.is_some() && self.seen.values().filter(by_same).count() >= MAX_PER_CERTIFICATE {
             return false;
         }
-        if self.seen.len() < MOST {
+        if self.seen.len() < MAX_STATIONS {
             return true;
         }
         self.is_full = true;
@@ -501,7 +501,7 @@ mod tests {
             let fake = alive(key(&format!("fake-{number}"), 'f'));
             roster.handle_arrival(fake, rogue.clone(), 1.0);
         }
-        assert_eq!(roster.members().len(), 1 + MOST_OF_ONE);
+        assert_eq!(roster.members().len(), 1 + MAX_PER_CERTIFICATE);
         handle_arrival(&mut roster, key("desk-2", 'b'), 2.0);
         let there =
             |member: &&Arc<Member>| member.name == "desk-2" && member.presence == Presence::Present;
@@ -512,20 +512,20 @@ mod tests {
     #[test]
     fn a_flood_of_other_versions_is_bounded_and_displaces_no_present_station() {
         let mut roster = roster();
-        for number in 0..MOST + 10 {
+        for number in 0..MAX_STATIONS + 10 {
             let other = Alive {
                 messages: 9,
                 ..alive(key(&format!("flood-{number}"), 'f'))
             };
             roster.handle_arrival(other, None, 1.0);
         }
-        assert_eq!(roster.members().len(), MOST);
+        assert_eq!(roster.members().len(), MAX_STATIONS);
         assert!(roster.is_full());
         assert!(roster.members().iter().any(|member| member.here));
         // They make room for a station with a certificate.
         handle_arrival(&mut roster, key("late", 'e'), 2.0);
         assert!(roster.members().iter().any(|member| member.name == "late"));
-        assert_eq!(roster.members().len(), MOST);
+        assert_eq!(roster.members().len(), MAX_STATIONS);
     }
 
     #[test]

@@ -12,7 +12,7 @@ use zenoh::query::Query;
 
 use crate::key_expressions::{MemberKey, STOPS};
 use crate::requests::{Requester, Responder};
-use crate::roster::MOST;
+use crate::roster::MAX_STATIONS;
 
 /// Decides with which members to exchange stops, and when: an engine without network and clock.
 #[derive(Debug)]
@@ -37,7 +37,7 @@ const SETTLES_WITHIN: Duration = Duration::from_secs(4);
 /// notice.
 const GAP: Duration = Duration::from_secs(2);
 /// The delay before an exchange is retried.
-const AGAIN: Duration = Duration::from_secs(1);
+const RETRY_DELAY: Duration = Duration::from_secs(1);
 
 impl StopExchange {
     pub(crate) fn new(own: MemberKey, now: Duration, clock: SystemTime) -> Self {
@@ -75,10 +75,10 @@ impl StopExchange {
     /// Handles an arrival. Of two stations that meet for the first time one starts the exchange.
     pub(crate) fn handle_arrival(&mut self, member: &MemberKey, now: Duration) {
         // A flood of names takes no more room here than in the roster.
-        if *member == self.own || self.present.len() >= MOST {
+        if *member == self.own || self.present.len() >= MAX_STATIONS {
             return;
         }
-        if self.known.len() >= MOST {
+        if self.known.len() >= MAX_STATIONS {
             self.known.clone_from(&self.present);
         }
         let is_back = !self.known.insert(member.clone());
@@ -97,7 +97,7 @@ impl StopExchange {
     /// Schedules a retry for a member that did not answer, while it is present.
     pub(crate) fn handle_silent(&mut self, member: &MemberKey, now: Duration) {
         if self.present.contains(member) {
-            self.due.insert(member.clone(), now + AGAIN);
+            self.due.insert(member.clone(), now + RETRY_DELAY);
         }
     }
 

@@ -292,18 +292,18 @@ fn check_room(all: &Path, own: &Path) -> Result<(), Problem> {
         Err(error) if error.kind() == ErrorKind::NotFound => 0,
         Err(error) => return Err(not_started(&error)),
     };
-    if kept < MOST_KEPT {
+    if kept < MAX_KEPT {
         return Ok(());
     }
     let detail = format!(
-        "{} contains the jobs and recordings of {kept} virtual arms; at most {MOST_KEPT} are allowed",
+        "{} contains the jobs and recordings of {kept} virtual arms; at most {MAX_KEPT} are allowed",
         all.display()
     );
     Err(ARM_NOT_STARTED.hinted(detail, "remove the folders of unused arms"))
 }
 
 /// The maximum number of arms whose data are kept.
-const MOST_KEPT: usize = 1000;
+const MAX_KEPT: usize = 1000;
 
 fn not_started(error: &dyn Display) -> Problem {
     ARM_NOT_STARTED.problem(format!("the virtual arm cannot be started: {error}"))

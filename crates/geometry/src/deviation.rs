@@ -122,7 +122,7 @@ fn once(path: &[Stroke]) -> Vec<(Point, Point)> {
 /// Splits segments into short ones, because the boxes of long ones would overlap.
 fn short(segments: Vec<(Point, Point)>) -> Vec<(Point, Point)> {
     let length_mm: f64 = segments.iter().map(|(a, b)| a.distance(*b)).sum();
-    let most_mm = SHORT_MM.max(length_mm / MOST_PIECES);
+    let most_mm = SHORT_MM.max(length_mm / MAX_PIECES);
     let cut = |(a, b): (Point, Point)| {
         let ends: Vec<Point> = steps(a, b, most_mm).collect();
         let pieces = ends.windows(2).map(|pair| (pair[0], pair[1]));
@@ -142,7 +142,7 @@ const STEP_MM: f64 = 0.5;
 const NEGLIGIBLE_MM: f64 = 1e-4;
 const SHORT_MM: f64 = 1.0;
 /// The approximate upper limit on the number of pieces.
-const MOST_PIECES: f64 = 500_000.0;
+const MAX_PIECES: f64 = 500_000.0;
 
 #[cfg(test)]
 mod tests {

@@ -297,7 +297,7 @@ impl Driver {
             biased;
             message = self.channels.messages.recv() => DriverEvent::Message(message),
             written = self.written.recv() => DriverEvent::Written(written),
-            heard = receive(link, until, &mut self.incoming) => DriverEvent::Link(heard),
+            received = receive(link, until, &mut self.incoming) => DriverEvent::Link(received),
             news = listen(self.connecting.as_mut()) => DriverEvent::Connecting(news),
             () = tokio::time::sleep_until(wakeup) => DriverEvent::Time,
         }
@@ -662,7 +662,7 @@ impl Driver {
     fn handle_received(&mut self, outcome: Result<bool, LinkError>) {
         let now = self.now();
         if !self.incoming.is_empty() {
-            self.recording.heard(now, &self.incoming);
+            self.recording.received(now, &self.incoming);
             self.supervisor.handle_bytes(now, &self.incoming);
             self.incoming.clear();
         }
@@ -701,7 +701,7 @@ impl Driver {
         self.channels
             .change_rules(|rules| rules.calibrations = calibrations);
         self.supervisor.handle_link_up(now, &address);
-        self.recording.heard(now, &found.bytes);
+        self.recording.received(now, &found.bytes);
         self.supervisor.handle_bytes(now, &found.bytes);
         self.address = Some(address);
     }

@@ -397,13 +397,13 @@ impl StationHandle {
     /// [`Refusal::Ending`].
     pub async fn client_of(&self, name: &str, role: Role, person: &str) -> Result<Client, Refusal> {
         let (reply, answer) = oneshot::channel();
-        let came = Message::Came {
+        let message = Message::Came {
             name: name.to_owned(),
             person: person.to_owned(),
             role,
             reply,
         };
-        self.send(came).await?;
+        self.send(message).await?;
         let id = answer.await.map_err(|_| Refusal::Ending)?;
         Ok(Client {
             id,

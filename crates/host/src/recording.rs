@@ -56,7 +56,7 @@ impl Recording {
         self.record(at, || Record::ToArm(bytes.to_vec()));
     }
 
-    pub(crate) fn heard(&self, at: Duration, bytes: &[u8]) {
+    pub(crate) fn received(&self, at: Duration, bytes: &[u8]) {
         self.record(at, || Record::FromArm(bytes.to_vec()));
     }
 

@@ -86,8 +86,8 @@ struct StopRounds {
     sent: usize,
     /// The completed rounds.
     rounds: u32,
-    /// Whether the arm was heard since the last round, so it has room for another.
-    heard: bool,
+    /// Whether the arm has sent since the last round, so it has room for another.
+    received: bool,
 }
 
 impl Watchdog {
@@ -135,7 +135,7 @@ impl Watchdog {
     pub fn handle_heard(&mut self, now: Duration) {
         self.handle_time(now);
         if let WatchdogPhase::Stopping(rounds) = &mut self.phase {
-            rounds.heard = true;
+            rounds.received = true;
         }
     }
 
@@ -208,19 +208,19 @@ impl Watchdog {
             next: self.now.max(free),
             sent: 0,
             rounds: 0,
-            heard: true,
+            received: true,
         });
     }
 }
 
 impl StopRounds {
-    /// A round waits until the arm is heard: with a full queue it is silent and would lose packets.
+    /// A round waits until the arm sends: with a full queue it is silent and would lose packets.
     /// An arm that is silent for long gets them anyway.
     fn due(&self) -> Duration {
-        if self.sent > 0 || self.heard {
+        if self.sent > 0 || self.received {
             self.next
         } else {
-            self.next + UNHEARD
+            self.next + MAX_SILENCE
         }
     }
 
@@ -233,18 +233,18 @@ impl StopRounds {
             });
         }
         let rounds = self.rounds + 1;
-        let heard_enough = rounds >= ROUNDS && self.heard;
-        if heard_enough || now >= self.started + LONGEST {
+        let received_enough = rounds >= ROUNDS && self.received;
+        if received_enough || now >= self.started + LONGEST {
             return match self.why {
                 Silence::Ended => WatchdogPhase::Over,
                 Silence::Stalled => WatchdogPhase::Stopped(self.why),
             };
         }
         WatchdogPhase::Stopping(Self {
-            next: now + AGAIN,
+            next: now + RETRY_DELAY,
             sent: 0,
             rounds,
-            heard: false,
+            received: false,
             ..self
         })
     }
@@ -253,9 +253,9 @@ impl StopRounds {
 /// Longer than a packet on the line plus the 8 ms that a stock arm needs between two (note N26).
 pub(crate) const GAP: Duration = dobot_wire::PACKET_GAP;
 /// Long enough for two statuses to show the effect.
-const AGAIN: Duration = Duration::from_millis(200);
-/// An arm not heard for this long gets the next round anyway.
-const UNHEARD: Duration = Duration::from_millis(500);
+const RETRY_DELAY: Duration = Duration::from_millis(200);
+/// An arm silent for this long gets the next round anyway.
+const MAX_SILENCE: Duration = Duration::from_millis(500);
 /// A packet may get lost; three hardly ever do.
 const ROUNDS: u32 = 3;
 /// More packets do not help an arm that is silent for this long.

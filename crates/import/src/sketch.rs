@@ -31,7 +31,7 @@ pub(super) struct Sketch<'a> {
     /// The current layer: an index into `layers` if there is one.
     current: usize,
     /// Whether the last stroke of the layer may continue.
-    goes_on: bool,
+    continues: bool,
     budget: Budget,
     /// The edges of areas.
     borders: Vec<Border>,
@@ -51,7 +51,7 @@ impl<'a> Sketch<'a> {
             layers: Vec::new(),
             numbers: HashMap::new(),
             current: 0,
-            goes_on: false,
+            continues: false,
             budget: Budget::new(MAX_SEGMENTS),
             borders: Vec::new(),
             stack: Stack::default(),
@@ -63,7 +63,7 @@ impl<'a> Sketch<'a> {
 
     /// Selects the layer of this name; a new one starts as `layer`.
     pub(super) fn use_layer(&mut self, layer: Layer) -> Result<(), SourceError> {
-        self.goes_on = false;
+        self.continues = false;
         if let Some(&number) = self.numbers.get(&layer.name) {
             self.current = number;
             return Ok(());
@@ -94,7 +94,7 @@ impl<'a> Sketch<'a> {
 
     /// Lifts the pen: the next line starts a stroke.
     pub(super) const fn lift(&mut self) {
-        self.goes_on = false;
+        self.continues = false;
     }
 
     /// Adds a straight line, joined to the previous one if that ended here.
@@ -109,7 +109,7 @@ impl<'a> Sketch<'a> {
             self.spend(2)?;
             self.layer().strokes.push(Stroke::open(vec![from, to]));
         }
-        self.goes_on = true;
+        self.continues = true;
         Ok(())
     }
 
@@ -117,7 +117,7 @@ impl<'a> Sketch<'a> {
     pub(super) fn dot(&mut self, at: Point) -> Result<(), SourceError> {
         self.spend(1)?;
         self.layer().strokes.push(Stroke::open(vec![at]));
-        self.goes_on = true;
+        self.continues = true;
         Ok(())
     }
 
@@ -127,7 +127,7 @@ impl<'a> Sketch<'a> {
             .layers
             .get(self.current)
             .and_then(|layer| layer.strokes.last());
-        self.goes_on && last.and_then(Stroke::last) == Some(p)
+        self.continues && last.and_then(Stroke::last) == Some(p)
     }
 
     /// Adds a whole stroke.
@@ -142,7 +142,7 @@ impl<'a> Sketch<'a> {
         if !points.is_empty() {
             self.layer().strokes.push(Stroke::open(points));
         }
-        self.goes_on = false;
+        self.continues = false;
     }
 
     /// Adds an area to be filled, whose edges are drawn; rings of fewer than three corners are
@@ -184,7 +184,7 @@ impl<'a> Sketch<'a> {
         // It is kept both as it is and as clip polygons.
         self.spend(2 * corners)?;
         // A continued line would be partly under the area and partly above it.
-        self.goes_on = false;
+        self.continues = false;
         self.stack.cover(&self.layers, rings, rule);
         Ok(())
     }
@@ -302,7 +302,7 @@ impl<'a> Sketch<'a> {
         mark: &SketchMark,
         mut change: impl FnMut(Stroke, &mut Budget) -> Result<Vec<Stroke>, OverBudget>,
     ) -> Result<(), SourceError> {
-        self.goes_on = false;
+        self.continues = false;
         self.stack.note(&self.layers);
         let from = mark.layers.iter().copied().chain(repeat([0, 0]));
         let layers = self.layers.iter_mut().zip(&mut self.stack.heights);

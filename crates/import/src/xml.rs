@@ -92,15 +92,15 @@ fn unclosed(text: &str, error: &Error) -> Option<SvgError> {
 
 /// The end of a tag, a comment or another markup at the start of a text.
 fn tag_end(text: &str) -> Option<usize> {
-    let behind = |mark: &str| text.find(mark).map(|at| at + mark.len());
+    let after = |mark: &str| text.find(mark).map(|at| at + mark.len());
     if text.starts_with("<!--") {
-        return behind("-->");
+        return after("-->");
     }
     if text.starts_with("<![CDATA[") {
-        return behind("]]>");
+        return after("]]>");
     }
     if text.starts_with("<?") {
-        return behind("?>");
+        return after("?>");
     }
     // A DOCTYPE has declarations between brackets.
     let (mut quote, mut depth) = (None, 0_usize);

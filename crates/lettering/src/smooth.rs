@@ -96,7 +96,7 @@ fn curve(
         clippy::cast_sign_loss,
         reason = "a small count"
     )]
-    let count = chords(curve, tolerance).min(MOST_CHORDS) as u32;
+    let count = chords(curve, tolerance).min(MAX_CHORDS) as u32;
     points.extend(corners(curve, count));
 }
 
@@ -106,7 +106,7 @@ fn unit(way: Vec2) -> Vec2 {
 
 /// Segments longer than this, in grid units, are straight by design.
 const STRAIGHT: f64 = 5.5;
-const MOST_CHORDS: f64 = 1000.0;
+const MAX_CHORDS: f64 = 1000.0;
 
 #[cfg(test)]
 mod tests {

@@ -43,7 +43,7 @@ impl Drawings {
         kept.last += 1;
         let number = kept.last;
         kept.drawings.insert(number, Arc::new(drawing));
-        if kept.drawings.len() > MOST {
+        if kept.drawings.len() > MAX_DRAWINGS {
             kept.drawings.pop_first();
         }
         number
@@ -54,7 +54,7 @@ impl Drawings {
         let found = kept.drawings.get(&number).cloned();
         found.ok_or_else(|| {
             Refused::new("no-such-drawing", format!("there is no drawing {number}")).hinted(
-                format!("plan it with `plan_drawing`; the latest {MOST} are kept"),
+                format!("plan it with `plan_drawing`; the latest {MAX_DRAWINGS} are kept"),
             )
         })
     }
@@ -244,6 +244,6 @@ impl Drop for CancelOnDrop {
 }
 
 /// The number of drawings that are kept, as many as at a station.
-const MOST: usize = 16;
+const MAX_DRAWINGS: usize = 16;
 const LONGEST_PLAN: Duration = Duration::from_secs(120);
 const WIDTH_PX: u32 = 1000;

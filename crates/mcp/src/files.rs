@@ -43,9 +43,9 @@ impl FilesFolder {
         }
         let mut bytes = Vec::new();
         let read =
-            File::open(&path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
-        if read.map_err(|error| unread(&error))? as u64 > MOST_BYTES {
-            let most_mb = MOST_BYTES / 1_000_000;
+            File::open(&path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes));
+        if read.map_err(|error| unread(&error))? as u64 > MAX_BYTES {
+            let most_mb = MAX_BYTES / 1_000_000;
             return Err(unread(&format!("it has more than {most_mb} MB")));
         }
         let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -62,7 +62,7 @@ fn outside(name: &str) -> Refused {
 }
 
 /// The station's limit.
-const MOST_BYTES: u64 = 24_000_000;
+const MAX_BYTES: u64 = 24_000_000;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

@@ -29,12 +29,12 @@ pub struct HttpAgents {
 
 /// The error returned when there are too many sessions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{MOST_SESSIONS} agents already have sessions")]
+#[error("{MAX_SESSIONS} agents already have sessions")]
 pub struct TooManyAgents;
 
 impl HttpAgents {
     /// The maximum length of a request, in bytes.
-    pub const MOST_BYTES: usize = 8 * 1024 * 1024;
+    pub const MAX_BYTES: usize = 8 * 1024 * 1024;
 
     /// Returns tools for this station, each used with the token of its request.
     #[must_use]
@@ -47,7 +47,7 @@ impl HttpAgents {
             // The server has checked the Host header, and knows the valid names.
             .disable_allowed_hosts()
             .with_sse_keep_alive(Some(ALIVE_EVERY))
-            .with_max_request_body_bytes(Self::MOST_BYTES);
+            .with_max_request_body_bytes(Self::MAX_BYTES);
         let each = agents.clone();
         Self {
             service: StreamableHttpService::new(move || Ok(each.clone()), sessions.clone(), config),
@@ -72,7 +72,7 @@ impl HttpAgents {
     where
         P: Send + Unpin + 'static,
     {
-        if begins(&request) && self.sessions.sessions.read().await.len() >= MOST_SESSIONS {
+        if begins(&request) && self.sessions.sessions.read().await.len() >= MAX_SESSIONS {
             return Err(TooManyAgents);
         }
         let (waits, here) = watch::channel(());
@@ -161,7 +161,7 @@ fn begins(request: &Request) -> bool {
 }
 
 /// The maximum number of sessions.
-const MOST_SESSIONS: usize = 256;
+const MAX_SESSIONS: usize = 256;
 /// The idle time after which a session ends: longer than a call may wait for a job.
 const LONGEST_SILENCE: Duration = Duration::from_secs(4000);
 /// The interval of keep-alive comments, which reveal dead connections.

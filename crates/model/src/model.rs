@@ -198,7 +198,7 @@ mod tests {
         joints: &Joints,
     ) -> Position {
         let mut part = part;
-        while let Some(joint) = model.joints.iter().find(|it| it.child == part) {
+        while let Some(joint) = model.joints.iter().find(|joint| joint.child == part) {
             let (sin, cos) = angle(joint, joints).to_radians().sin_cos();
             [x, y, z] = match joint.turn.axis() {
                 Axis::Y => [cos * x + sin * z, y, cos * z - sin * x],
@@ -260,18 +260,18 @@ mod tests {
     fn every_part_but_the_base_has_one_parent() {
         let tool = MountedTool::new(Tool::Gripper, Millimeters(40.0)).expect("it is allowed");
         for model in [Model::new(None), Model::new(Some(tool))] {
-            let names: Vec<_> = model.parts.iter().map(|it| it.name).collect();
+            let names: Vec<_> = model.parts.iter().map(|part| part.name).collect();
             assert_eq!(names[0], "base");
             for joint in &model.joints {
                 let at = |name| {
                     names
                         .iter()
-                        .position(|it| *it == name)
+                        .position(|known| *known == name)
                         .expect("it is there")
                 };
                 assert!(at(joint.child) > 0, "{}", joint.name);
             }
-            let children = model.joints.iter().map(|it| it.child);
+            let children = model.joints.iter().map(|joint| joint.child);
             assert_eq!(children.count() + 1, names.len());
         }
     }

@@ -112,7 +112,7 @@ mod tests {
     /// A point of a link in the frame of the root.
     fn place(frames: &[LinkFrame], link: &str, mut point: [f64; 3]) -> [f64; 3] {
         let mut link = link;
-        while let Some(frame) = frames.iter().find(|it| it.child == link) {
+        while let Some(frame) = frames.iter().find(|frame| frame.child == link) {
             let (sin, cos) = frame.angle.0.to_radians().sin_cos();
             let [x, y, z] = point;
             let turned = if frame.axis == [0.0, 0.0, 1.0] {
@@ -146,7 +146,7 @@ mod tests {
         let tool = MountedTool::new(Tool::Pen, Millimeters(50.0)).expect("it is allowed");
         let frames = Model::new(Some(tool)).link_frames(&Joints::default());
         for frame in &frames {
-            let same = frames.iter().filter(|it| it.child == frame.child);
+            let same = frames.iter().filter(|other| other.child == frame.child);
             assert_eq!(same.count(), 1, "{}", frame.child);
             assert_eq!(frame.is_fixed, frame.child == "tip");
         }

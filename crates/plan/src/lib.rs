@@ -31,7 +31,7 @@ mod tool;
 
 pub use arm_limits::{ArmLimits, LinkRate};
 pub use error::PlanError;
-pub use laser::laser_path::{DOT_MM, LEAST_BURN_MM, burned_corners};
+pub use laser::laser_path::{DOT_MM, MIN_BURN_MM, burned_corners};
 pub use laser::slow_burning::SlowBurning;
 pub use paper::{Paper, PaperError};
 pub use pass::{Break, Pass, PlannedPass};
@@ -46,5 +46,5 @@ pub use speed::motion::Motion;
 pub use speed::respeed::{RespeedStart, end_speed_mm_s, respeed};
 pub use summary::Summary;
 pub use ticks::stop_each::stop_each;
-pub use ticks::tick_fit::LEAST_BURN_MM_S;
+pub use ticks::tick_fit::MIN_BURN_MM_S;
 pub use tool::{DrawingTool, Laser, Pen};

@@ -41,7 +41,7 @@ impl Paper {
         } else {
             least_width(&places)
         };
-        if !(LEAST_WIDTH_MM..f64::INFINITY).contains(&width_mm) {
+        if !(MIN_WIDTH_MM..f64::INFINITY).contains(&width_mm) {
             return Err(PaperError::Collinear(width_mm));
         }
         let plane = nearest(touched);
@@ -224,7 +224,7 @@ fn nearest(touched: &[[f64; 3]]) -> Plane {
 const ROUNDS: usize = 10;
 const STEP_MM: f64 = 1e-3;
 const EXACT_MM: f64 = 1e-7;
-const LEAST_WIDTH_MM: f64 = 10.0;
+const MIN_WIDTH_MM: f64 = 10.0;
 const STEEPEST_DEG: f64 = 10.0;
 
 #[cfg(test)]

@@ -38,8 +38,9 @@ impl Pass {
     /// Returns the strokes as drawn, including repeated burns of a laser.
     pub fn drawn(&self) -> impl Iterator<Item = &Stroke> {
         let (count, times) = (self.strokes.len(), self.tool.times() as usize);
-        let goes_on = matches!(self.tool, DrawingTool::Laser(laser) if laser.by_stroke);
-        (0..count * times).map(move |i| &self.strokes[if goes_on { i / times } else { i % count }])
+        let by_stroke = matches!(self.tool, DrawingTool::Laser(laser) if laser.by_stroke);
+        (0..count * times)
+            .map(move |i| &self.strokes[if by_stroke { i / times } else { i % count }])
     }
 
     pub(super) fn has_strokes(&self) -> bool {

@@ -157,15 +157,15 @@ impl Plan {
     pub fn paths(&self, kind: MoveKind) -> Vec<Stroke> {
         let mut paths: Vec<Stroke> = Vec::new();
         let mut here = Point::new(self.start[0], self.start[1]);
-        let mut goes_on = false;
+        let mut continues = false;
         for (vector, [x, y, _]) in self.moves.iter().zip(self.positions()) {
             let there = Point::new(x, y);
-            match paths.last_mut().filter(|_| goes_on) {
+            match paths.last_mut().filter(|_| continues) {
                 _ if vector.kind != kind => {}
                 Some(path) => path.points.push(there),
                 None => paths.push(Stroke::open(vec![here, there])),
             }
-            goes_on = vector.kind == kind;
+            continues = vector.kind == kind;
             here = there;
         }
         paths
@@ -516,7 +516,7 @@ mod tests {
         ) {
             let plan = plan(&strokes, LinkRate { period_s });
             let mut speed = 0.0_f32;
-            let mut behind_s = 0.0_f64;
+            let mut late_s = 0.0_f64;
             for (vector, duration) in plan.moves.iter().zip(plan.durations()) {
                 prop_assert_eq!(vector.start_speed_mm_s, speed);
                 speed = vector.end_speed_mm_s;
@@ -529,9 +529,9 @@ mod tests {
                 prop_assert!(needed <= plan.arm_limits().acceleration_mm_s2, "{needed}");
                 prop_assert!(vector.max_speed_mm_s <= 80.0);
                 // At no time have more than two vectors too many finished.
-                behind_s = (behind_s + period_s - duration).max(0.0);
-                prop_assert!(behind_s <= 2.0 * period_s + 1e-4, "{behind_s}");
-                prop_assert!(vector.length_mm() >= crate::path::planner::LEAST_VECTOR_MM);
+                late_s = (late_s + period_s - duration).max(0.0);
+                prop_assert!(late_s <= 2.0 * period_s + 1e-4, "{late_s}");
+                prop_assert!(vector.length_mm() >= crate::path::planner::MIN_VECTOR_MM);
             }
             prop_assert_eq!(speed, 0.0);
         }

@@ -180,7 +180,7 @@ impl Pen {
     fn check(&self) -> Result<(), PlanError> {
         positive("touch speed", self.touch_speed_mm_s, "mm/s")?;
         not_negative("touch way", self.touch_mm, "mm")?;
-        if self.lift_mm >= LEAST_LIFT_MM && self.lift_mm.is_finite() {
+        if self.lift_mm >= MIN_LIFT_MM && self.lift_mm.is_finite() {
             return Ok(());
         }
         Err(PlanError::Lift(self.lift_mm))
@@ -233,4 +233,4 @@ impl Default for Laser {
     }
 }
 
-const LEAST_LIFT_MM: f64 = 0.1;
+const MIN_LIFT_MM: f64 = 0.1;

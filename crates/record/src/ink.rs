@@ -127,8 +127,8 @@ impl Ink {
     }
 
     fn line_to(&mut self, at: Duration, from: Position, to: Position, burns: bool) {
-        let goes_on = |line: &Line| line.burns == burns && line.ends_at(from);
-        if !self.open.as_ref().is_some_and(goes_on) {
+        let continues = |line: &Line| line.burns == burns && line.ends_at(from);
+        if !self.open.as_ref().is_some_and(continues) {
             self.end_line();
         }
         let line = self
@@ -343,11 +343,11 @@ mod tests {
             hand.go(0.0, if n % 20 < 10 { 1.0 } else { -1.0 }, 0.0);
             if let Some(reported) = hand.ink.poll(&json!({}), 0.0) {
                 longest = longest.max(reported.to_string().len());
-                for it in reported["deletions"].as_array().unwrap() {
-                    assert!(there.remove(it["id"].as_str().unwrap()));
+                for entity in reported["deletions"].as_array().unwrap() {
+                    assert!(there.remove(entity["id"].as_str().unwrap()));
                 }
-                for it in reported["entities"].as_array().unwrap() {
-                    assert!(there.insert(it["id"].as_str().unwrap().to_owned()));
+                for entity in reported["entities"].as_array().unwrap() {
+                    assert!(there.insert(entity["id"].as_str().unwrap().to_owned()));
                 }
             }
         }

@@ -26,12 +26,12 @@ pub(crate) struct Stand {
 /// rest.
 pub(crate) async fn take_at_rest(station: &mut StationClient) -> Result<Stand, String> {
     take(station).await?;
-    let rest = timeout(PATIENCE, stands(station)).await;
+    let rest = timeout(PATIENCE, state_at_rest(station)).await;
     rest.unwrap_or_else(|_| Err("the arm is still moving; wait until it is at rest".to_owned()))
 }
 
 /// Waits until the arm is at rest, and returns its state.
-async fn stands(station: &mut StationClient) -> Result<Stand, String> {
+async fn state_at_rest(station: &mut StationClient) -> Result<Stand, String> {
     let mut dialect = None;
     let rest = station.rest_with_events(|event| {
         if let StationEvent::State(state) = event {
@@ -247,7 +247,7 @@ async fn check_end(station: &mut StationClient, wanted: &Wanted) -> Result<(), F
     if wanted.end_deg == [None; 4] {
         return Ok(());
     }
-    let Stand { status, .. } = stands(station).await.map_err(Fault::invalid)?;
+    let Stand { status, .. } = state_at_rest(station).await.map_err(Fault::invalid)?;
     let (found, end) = (degrees_of(&status), wanted.at(f64::INFINITY));
     for joint in 0..4 {
         let off = (found[joint] - end[joint]).abs();

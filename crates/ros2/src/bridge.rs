@@ -163,7 +163,7 @@ impl Shared {
     }
 
     fn take_jogs(&self, twist: Subscription<TwistStamped>, joints: Subscription<JointJog>) {
-        let (press, said) = watch::channel::<JogMessage>(None);
+        let (press, messages) = watch::channel::<JogMessage>(None);
         let frames = self.frames.clone();
         let of_twist = move |twist| Some(jog::of_twist(&twist, &frames));
         tokio::spawn(pass_on(twist, press.clone(), of_twist, self.log.clone()));
@@ -172,7 +172,7 @@ impl Shared {
         let buttons = Buttons {
             station: self.station.clone(),
             log: self.log.clone(),
-            said,
+            messages,
             ending: self.ending.clone(),
         };
         let busy = self.busy.clone();

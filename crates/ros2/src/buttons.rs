@@ -18,16 +18,16 @@ pub(crate) type JogMessage = Option<Result<Option<Jog>, String>>;
 pub(crate) struct Buttons {
     pub(crate) station: Station,
     pub(crate) log: Arc<Log>,
-    pub(crate) said: watch::Receiver<JogMessage>,
+    pub(crate) messages: watch::Receiver<JogMessage>,
     pub(crate) ending: watch::Receiver<bool>,
 }
 
 impl Buttons {
     /// Runs until no more messages can arrive.
     pub(crate) async fn run(mut self) {
-        while self.said.changed().await.is_ok() {
-            let said = self.said.borrow_and_update().clone();
-            let refused = match said {
+        while self.messages.changed().await.is_ok() {
+            let message = self.messages.borrow_and_update().clone();
+            let refused = match message {
                 None | Some(Ok(None)) => continue,
                 Some(Ok(Some(jog))) => self.press(jog).await.err(),
                 Some(Err(why)) => Some(why),
@@ -44,7 +44,7 @@ impl Buttons {
     async fn press(&mut self, jog: Jog) -> Result<(), String> {
         let mut station = self.station.connect("jog").await?;
         take(&mut station).await?;
-        let held = hold(&mut station, jog, &mut self.said, &mut self.ending).await;
+        let held = hold(&mut station, jog, &mut self.messages, &mut self.ending).await;
         // If this fails, the dead-man time releases it a little later.
         station.request(Request::Release).await.ok();
         held
@@ -52,7 +52,7 @@ impl Buttons {
 
     /// Waits until no more jogs are requested.
     async fn silence(&mut self) {
-        while let Ok(Ok(())) = timeout(SILENT, self.said.changed()).await {}
+        while let Ok(Ok(())) = timeout(SILENT, self.messages.changed()).await {}
     }
 }
 
@@ -60,7 +60,7 @@ impl Buttons {
 async fn hold(
     station: &mut StationClient,
     mut jog: Jog,
-    said: &mut watch::Receiver<JogMessage>,
+    messages: &mut watch::Receiver<JogMessage>,
     ending: &mut watch::Receiver<bool>,
 ) -> Result<(), String> {
     let patience = station.dead_man();
@@ -70,8 +70,8 @@ async fn hold(
         let next = async {
             loop {
                 tokio::select! {
-                    changed = said.changed() => {
-                        return changed.is_ok().then(|| said.borrow_and_update().clone()).flatten();
+                    changed = messages.changed() => {
+                        return changed.is_ok().then(|| messages.borrow_and_update().clone()).flatten();
                     }
                     event = station.next() => {
                         if let Err(error) = event {

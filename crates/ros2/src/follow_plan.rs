@@ -33,7 +33,7 @@ impl FollowPlan {
     /// [`Fault`] if a tolerance of the goal cannot be met.
     pub(crate) fn new(
         wanted: &Wanted,
-        stands: &Status,
+        status: &Status,
         period: Duration,
         tolerance_deg: f64,
     ) -> Result<Self, Fault> {
@@ -48,7 +48,7 @@ impl FollowPlan {
         check_time(wanted, takes_s)?;
         Ok(Self {
             summary: summary(wanted, &thin, moves.len(), takes_s),
-            job: job(&moves, stands),
+            job: job(&moves, status),
             #[cfg(test)]
             takes_s,
         })
@@ -239,15 +239,15 @@ fn percent(way_deg: f64, within_s: f64) -> f64 {
     let a = Speeds::STOCK.joint_deg_s2 * ACCELERATION_PERCENT / 100.0;
     let under_root = (a * within_s).powi(2) - 4.0 * a * way_deg;
     if under_root < 0.0 {
-        return MOST_PERCENT;
+        return MAX_PERCENT;
     }
     let deg_s = (a * within_s - under_root.sqrt()) / 2.0;
-    (deg_s / Speeds::STOCK.joint_deg_s * 100.0).clamp(LEAST_PERCENT, MOST_PERCENT)
+    (deg_s / Speeds::STOCK.joint_deg_s * 100.0).clamp(MIN_PERCENT, MAX_PERCENT)
 }
 
 /// Returns the commands: pump and gripper do not change, and the speed at the end is that of
 /// power-up.
-fn job(moves: &[FollowMove], stands: &Status) -> NewJob {
+fn job(moves: &[FollowMove], status: &Status) -> NewJob {
     let mut commands = Vec::new();
     let mut steps = Vec::new();
     let mut now_percent: Option<f64> = None;
@@ -258,10 +258,10 @@ fn job(moves: &[FollowMove], stands: &Status) -> NewJob {
             commands.push(speed(step.percent));
             now_percent = Some(step.percent);
         }
-        commands.push(target(step, stands));
+        commands.push(target(step, status));
     }
     if !moves.is_empty() {
-        commands.push(speed(MOST_PERCENT));
+        commands.push(speed(MAX_PERCENT));
     }
     NewJob {
         title: "trajectory of ROS 2".to_owned(),
@@ -285,11 +285,11 @@ fn speed(percent: f64) -> Command {
     .into()
 }
 
-fn target(to: &FollowMove, stands: &Status) -> Command {
+fn target(to: &FollowMove, status: &Status) -> Command {
     let pause_s = single(to.pause_s);
     MoveJoints {
-        suction: stands.suction,
-        gripper_deg: stands.gripper_deg,
+        suction: status.suction,
+        gripper_deg: status.gripper_deg,
         mode: MovingMode::MovJ,
         pause_s,
         ..MoveJoints::to(to.to_deg.map(single))
@@ -316,8 +316,8 @@ fn summary(wanted: &Wanted, thin: &Thinned, targets: usize, takes_s: f64) -> Str
 
 /// The percentages of an arm after power-up; no trajectory is followed faster than that.
 const ACCELERATION_PERCENT: f64 = 50.0;
-const MOST_PERCENT: f64 = 50.0;
-const LEAST_PERCENT: f64 = 1.0;
+const MAX_PERCENT: f64 = 50.0;
+const MIN_PERCENT: f64 = 1.0;
 /// Below the resolution of the arm.
 const STILL_DEG: f64 = 0.01;
 /// A shorter pause is part of the motion.

@@ -75,7 +75,7 @@ impl Wanted {
     /// # Errors
     ///
     /// [`Fault`] with the problem and what is allowed.
-    pub(crate) fn new(goal: &FollowGoal, stands_deg: [f64; 4], now: Time) -> Result<Self, Fault> {
+    pub(crate) fn new(goal: &FollowGoal, arm_deg: [f64; 4], now: Time) -> Result<Self, Fault> {
         if !goal.multi_dof_trajectory.joint_names.is_empty()
             || !goal.multi_dof_trajectory.points.is_empty()
             || !goal.component_path_tolerance.is_empty()
@@ -86,7 +86,7 @@ impl Wanted {
             ));
         }
         let joints = joints(&goal.trajectory.joint_names)?;
-        let (places, at_s) = places(goal, &joints, stands_deg)?;
+        let (places, at_s) = places(goal, &joints, arm_deg)?;
         let ends_s = at_s.last().copied().unwrap_or_default();
         check_start(goal.trajectory.header.stamp, ends_s, now)?;
         let late_s = seconds(&goal.goal_time_tolerance);
@@ -148,18 +148,18 @@ fn joints(names: &[String]) -> Result<Vec<usize>, Fault> {
 fn places(
     goal: &FollowGoal,
     joints: &[usize],
-    stands_deg: [f64; 4],
+    arm_deg: [f64; 4],
 ) -> Result<(Vec<[f64; 4]>, Vec<f64>), Fault> {
     let points = &goal.trajectory.points;
-    if !(1..=MOST_POINTS).contains(&points.len()) {
+    if !(1..=MAX_POINTS).contains(&points.len()) {
         let found = points.len();
         return Err(Fault::invalid(format!(
-            "the trajectory has {found} points; allowed are 1 to {MOST_POINTS}"
+            "the trajectory has {found} points; allowed are 1 to {MAX_POINTS}"
         )));
     }
-    let (mut places, mut at_s) = (vec![stands_deg], vec![0.0]);
+    let (mut places, mut at_s) = (vec![arm_deg], vec![0.0]);
     for (number, point) in points.iter().enumerate() {
-        let place = place(number, &point.positions, joints, stands_deg)?;
+        let place = place(number, &point.positions, joints, arm_deg)?;
         for (name, values) in [
             ("velocities", &point.velocities),
             ("accelerations", &point.accelerations),
@@ -173,7 +173,7 @@ fn places(
         }
         let time_s = seconds(&point.time_from_start);
         if number == 0 && time_s <= 0.0 {
-            check_stands(&place, stands_deg)?;
+            check_first_point(&place, arm_deg)?;
         }
         if number == 0 && time_s == 0.0 {
             continue;
@@ -195,7 +195,7 @@ fn place(
     number: usize,
     positions: &[f64],
     joints: &[usize],
-    stands_deg: [f64; 4],
+    arm_deg: [f64; 4],
 ) -> Result<[f64; 4], Fault> {
     if positions.len() != joints.len() {
         let (found, allowed) = (positions.len(), joints.len());
@@ -203,7 +203,7 @@ fn place(
             "points[{number}] has {found} positions; allowed are {allowed}, one for each of joint_names"
         )));
     }
-    let mut place = stands_deg;
+    let mut place = arm_deg;
     for (joint, rad) in joints.iter().zip(positions) {
         let deg = rad.to_degrees();
         if !(-FULL_TURN_DEG..=FULL_TURN_DEG).contains(&deg) {
@@ -229,19 +229,19 @@ fn check_rates(number: usize, name: &str, values: &[f64], joints: usize) -> Resu
 }
 
 /// Checks that a trajectory with a start position begins at the arm's position.
-fn check_stands(begins: &[f64; 4], stands: [f64; 4]) -> Result<(), Fault> {
-    let off = (0..4).find(|joint| (begins[*joint] - stands[*joint]).abs() > START_DEG);
+fn check_first_point(begins: &[f64; 4], here: [f64; 4]) -> Result<(), Fault> {
+    let off = (0..4).find(|joint| (begins[*joint] - here[*joint]).abs() > START_DEG);
     let Some(joint) = off else {
         return Ok(());
     };
-    let [name, begins, stands, allowed] = [
+    let [name, begins, here, allowed] = [
         JOINTS[joint].to_owned(),
         rad(begins[joint]),
-        rad(stands[joint]),
+        rad(here[joint]),
         rad(START_DEG),
     ];
     Err(Fault::invalid(format!(
-        "the trajectory begins with {name} at {begins} rad, but the arm is at {stands} rad; allowed is a difference of {allowed} rad; plan it from joint_states"
+        "the trajectory begins with {name} at {begins} rad, but the arm is at {here} rad; allowed is a difference of {allowed} rad; plan it from joint_states"
     )))
 }
 
@@ -301,7 +301,7 @@ pub(crate) fn rad(degrees: f64) -> String {
     format!("{:.4}", degrees.to_radians())
 }
 
-const MOST_POINTS: usize = 10_000;
+const MAX_POINTS: usize = 10_000;
 const LONGEST_S: f64 = 3600.0;
 const FULL_TURN_DEG: f64 = 360.0;
 /// The allowed difference between the start of a trajectory and the arm's position.

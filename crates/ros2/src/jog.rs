@@ -135,7 +135,7 @@ fn one(axes: impl IntoIterator<Item = Axis>) -> Result<Option<Jog>, String> {
 impl Axis {
     fn jog(self) -> Result<Jog, String> {
         let percent = single(self.speed.abs() / self.top * 100.0);
-        if !(LEAST_PERCENT..=100.0).contains(&percent) {
+        if !(MIN_PERCENT..=100.0).contains(&percent) {
             let least = self.unit.text(self.top / 100.0);
             let (name, found, most) = (
                 self.name,
@@ -158,7 +158,7 @@ fn top() -> dobot_motion::Speeds {
 }
 
 /// The slowest speed of a button (note N15).
-const LEAST_PERCENT: f32 = 1.0;
+const MIN_PERCENT: f32 = 1.0;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
@@ -212,7 +212,7 @@ mod tests {
 
     #[test]
     fn an_impossible_motion_is_refused_by_name_with_the_possible_ones() {
-        for (found, says) in [
+        for (found, expected) in [
             (
                 twist([0.01, 0.0, 0.01], [0.0; 3]),
                 "twist.linear.x and twist.linear.z",
@@ -237,7 +237,7 @@ mod tests {
             (joints(&["base", "base"], &[0.1, 0.1]), "base and base"),
         ] {
             let found = found.unwrap_err();
-            assert!(found.contains(says), "{found}");
+            assert!(found.contains(expected), "{found}");
         }
     }
 }

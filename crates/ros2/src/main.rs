@@ -171,7 +171,7 @@ mod tests {
 
     #[test]
     fn an_invalid_option_is_refused_with_what_is_allowed() {
-        for (words, says) in [
+        for (words, expected) in [
             (vec!["--domain", "233"], "0..=232"),
             (vec!["--namespace", "desk-3"], "/desk_3"),
             (vec!["--interface", "eth0"], "ADDRESS"),
@@ -179,7 +179,7 @@ mod tests {
         ] {
             let words = ["dobot-ros2"].into_iter().chain(words);
             let error = Args::try_parse_from(words).unwrap_err().to_string();
-            assert!(error.contains(says), "{error}");
+            assert!(error.contains(expected), "{error}");
         }
         assert!(domain("300").is_err() && domain("x").is_err());
     }

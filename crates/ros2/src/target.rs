@@ -117,7 +117,7 @@ mod tests {
     fn a_tilted_tool_an_invalid_rotation_and_an_invalid_place_are_refused_by_name() {
         let half = std::f64::consts::FRAC_1_SQRT_2;
         let level = [0.0, 0.0, 0.0, 1.0];
-        for (wanted, says) in [
+        for (wanted, expected) in [
             (pose([0.2, 0.0, 0.0], [0.0, half, 0.0, half]), "tilts"),
             (pose([0.2, 0.0, 0.0], [0.0; 4]), "unit quaternion"),
             (
@@ -129,7 +129,7 @@ mod tests {
             (pose([220.0, 0.0, 0.0], level), "metres"),
         ] {
             let found = refused(&wanted);
-            assert!(found.contains(says), "{found}");
+            assert!(found.contains(expected), "{found}");
         }
     }
 }

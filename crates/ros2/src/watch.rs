@@ -39,23 +39,23 @@ impl Watch {
     /// Runs forever, reconnecting to the station when the connection is lost.
     pub(crate) async fn run(mut self) {
         self.describe();
-        let mut said = None;
+        let mut reported = None;
         loop {
             let why = match self.station.connect("watch").await {
                 Ok(client) => {
                     self.log.info("connected to the station");
-                    said = None;
+                    reported = None;
                     self.diagnosed_s = None;
                     self.policy = self.station.policy().await;
                     self.look(client).await
                 }
                 Err(why) => why,
             };
-            if said.as_ref() != Some(&why) {
+            if reported.as_ref() != Some(&why) {
                 self.log.warn(&why);
             }
             self.wait(&why).await;
-            said = Some(why);
+            reported = Some(why);
         }
     }
 
@@ -92,7 +92,7 @@ impl Watch {
     async fn wait(&mut self, why: &str) {
         let silent = diagnostics::of_no_station(NODE, why);
         let _ = self.publishers.diagnostics.publish(silent);
-        let until = Instant::now() + AGAIN;
+        let until = Instant::now() + RETRY_DELAY;
         loop {
             tokio::select! {
                 Some(wanted) = self.stops.recv() => {
@@ -123,6 +123,6 @@ impl Watch {
 }
 
 /// The delay before the station is searched again.
-const AGAIN: Duration = Duration::from_secs(1);
+const RETRY_DELAY: Duration = Duration::from_secs(1);
 /// The period of diagnostics, in seconds.
 const DIAGNOSED_S: f64 = 1.0;

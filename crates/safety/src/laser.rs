@@ -19,9 +19,9 @@ impl Policy {
             let message = "the command lights the laser; laser.allowed is false".to_owned();
             return Err(Violation::of_words("laser.allowed", message));
         }
-        let stands =
+        let is_still =
             burns(command) && !trajectory.moves() || model.laser && trajectory.pause_s() > 0.0;
-        if stands && !rules.standing {
+        if is_still && !rules.standing {
             let message = "the laser would burn while the arm stands; laser.standing is false: light it in a vector, and switch it off before a pause".to_owned();
             return Err(Violation::of_words("laser.standing", message));
         }

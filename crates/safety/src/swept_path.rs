@@ -310,7 +310,7 @@ fn least_fold(a: &ArmPlace, b: &ArmPlace, tool_reach_mm: f64, way_mm: f64) -> Op
         (1.0 - sin * sin).max(0.0).sqrt()
     };
     let fold = cos(least_mm).min(cos(most_mm));
-    (least_mm > FOREARM.0 - REAR_ARM.0 && fold > LEAST_FOLD).then_some(fold)
+    (least_mm > FOREARM.0 - REAR_ARM.0 && fold > MIN_FOLD).then_some(fold)
 }
 
 /// The fold follows from the difference of the squared stretches; this is the squared stretch of a
@@ -330,4 +330,4 @@ const NEAREST_MM: f64 = 1.0;
 const LEVEL_MM: f64 = 1e-9;
 
 /// A stock arm within its limits never has less than 0.46.
-const LEAST_FOLD: f64 = 0.1;
+const MIN_FOLD: f64 = 0.1;

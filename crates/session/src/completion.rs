@@ -36,7 +36,7 @@ pub(crate) struct Completion {
 #[derive(Clone, Copy, Debug)]
 struct Steady {
     status: Status,
-    heard: Duration,
+    received: Duration,
     since: Duration,
     /// Number of equal statuses in a row.
     repeats: u32,
@@ -83,16 +83,17 @@ impl Completion {
     /// Handles a status.
     pub(crate) fn handle_status(&mut self, now: Duration, status: &Status) {
         // Between two statuses that are far apart, anything may have happened.
-        let same = |last: &Steady| last.status == *status && now.saturating_sub(last.heard) <= GAP;
+        let same =
+            |last: &Steady| last.status == *status && now.saturating_sub(last.received) <= GAP;
         self.seen = Some(match self.seen.filter(same) {
             Some(seen) => Steady {
-                heard: now,
+                received: now,
                 repeats: seen.repeats + 1,
                 ..seen
             },
             None => Steady {
                 status: *status,
-                heard: now,
+                received: now,
                 since: now,
                 repeats: 1,
             },
@@ -165,8 +166,8 @@ impl Completion {
             return look.timed_out(first);
         }
         if sent.plan.target.is_none() {
-            let came = seen.since > first.since && now >= sent.at + look.answer;
-            return (came || now >= idle + sent.plan.pause).then_some(Verdict::Over(1));
+            let is_received = seen.since > first.since && now >= sent.at + look.answer;
+            return (is_received || now >= idle + sent.plan.pause).then_some(Verdict::Over(1));
         }
         self.missed(look, first)
     }
@@ -243,7 +244,7 @@ impl Evidence<'_> {
     /// next one.
     fn passed(&self, first: &First) -> (usize, Option<First>) {
         let (on_trajectory, progress_mm) = self.on_trajectory(first);
-        let arrived_at = self.seen.came_to(self.answer, first, self.in_flight);
+        let arrived_at = self.seen.arrived_at(self.answer, first, self.in_flight);
         let over = on_trajectory
             .max(self.beyond_room())
             .max(arrived_at.unwrap_or(0));
@@ -302,7 +303,7 @@ impl Evidence<'_> {
     fn beyond_room(&self) -> usize {
         let arrived = |sent: &&Sent| self.now.saturating_sub(sent.at) >= self.answer;
         let arrived = self.in_flight.iter().take_while(arrived).count();
-        arrived.saturating_sub(MOST_WITH_ROOM)
+        arrived.saturating_sub(MAX_WITH_ROOM)
     }
 
     /// How much the pause before the first command can grow: not at all if the arm had that command
@@ -354,18 +355,18 @@ impl Steady {
 
     /// The first command of which the arm has come to rest where it ends, since it moved. It would not
     /// rest there without a pause, had it got another one to go on with.
-    fn came_to(&self, answer: Duration, first: &First, in_flight: &InFlight) -> Option<usize> {
+    fn arrived_at(&self, answer: Duration, first: &First, in_flight: &InFlight) -> Option<usize> {
         if !self.rests() || self.since <= first.since {
             return None;
         }
-        let goes_on = |index: usize| {
+        let continues = |index: usize| {
             let mut later = in_flight.iter().skip(index + 1);
             let next = later.find(|sent| !sent.plan.is_still());
             next.is_some_and(|sent| sent.at + answer <= self.since)
         };
         let rests = |(index, sent): (usize, &Sent)| {
             let pauses = !sent.plan.pause.is_zero();
-            sent.plan.ends_at(&self.status) && (pauses || !goes_on(index))
+            sent.plan.ends_at(&self.status) && (pauses || !continues(index))
         };
         in_flight.iter().enumerate().position(rests)
     }
@@ -384,4 +385,4 @@ const PATIENCE: Duration = Duration::from_secs(10);
 /// A pause of at least this length is reported when it starts.
 const LONG_PAUSE: Duration = Duration::from_secs(5);
 /// Three waiting commands and one that is executed; with one more the arm sends no status.
-const MOST_WITH_ROOM: usize = 4;
+const MAX_WITH_ROOM: usize = 4;

@@ -32,7 +32,7 @@ pub struct LinkQuality {
 pub(crate) struct Meter {
     /// The period of the regular statuses.
     period: Duration,
-    heard: VecDeque<Duration>,
+    arrivals: VecDeque<Duration>,
     /// When the last regular status arrived.
     last_regular: Option<Duration>,
     /// Messages since the last permit: one follows it, one precedes the next (note N38).
@@ -71,13 +71,18 @@ impl Meter {
         self.waits_since = (at_rest && moves).then_some(now);
     }
 
-    pub(crate) fn handle_status(&mut self, now: Duration, heard: &ReceivedStatus, had_room: bool) {
-        self.heard.push_back(now);
-        while self.heard.front().is_some_and(|at| *at + WINDOW < now) {
-            self.heard.pop_front();
+    pub(crate) fn handle_status(
+        &mut self,
+        now: Duration,
+        received: &ReceivedStatus,
+        had_room: bool,
+    ) {
+        self.arrivals.push_back(now);
+        while self.arrivals.front().is_some_and(|at| *at + WINDOW < now) {
+            self.arrivals.pop_front();
         }
-        self.note_permit(heard.permits);
-        if !heard.is_regular {
+        self.note_permit(received.permits);
+        if !received.is_regular {
             return;
         }
         if let Some(before) = self.last_regular.replace(now)
@@ -85,11 +90,11 @@ impl Meter {
         {
             let gap = now.saturating_sub(before);
             self.note_gap(gap);
-            if gap <= self.period + MOST_JITTER {
+            if gap <= self.period + MAX_JITTER {
                 self.jitter = self.jitter.max(gap.saturating_sub(self.period));
             }
         }
-        let status = heard.status;
+        let status = received.status;
         if self
             .last
             .replace(status)
@@ -138,13 +143,13 @@ impl Meter {
             damaged_bytes: counts.skipped_bytes,
             resyncs: counts.resyncs,
             latency: self.latency,
-            silent_for: now.saturating_sub(self.heard.back().copied().unwrap_or_default()),
+            silent_for: now.saturating_sub(self.arrivals.back().copied().unwrap_or_default()),
         }
     }
 
     /// Recent statuses per second. The time since the last one counts only when the next one is due.
     fn rate(&self, now: Duration) -> f64 {
-        let recent = || self.heard.iter().filter(|at| **at + WINDOW >= now);
+        let recent = || self.arrivals.iter().filter(|at| **at + WINDOW >= now);
         let (Some(first), Some(last)) = (recent().next(), recent().next_back()) else {
             return 0.0;
         };
@@ -187,6 +192,6 @@ const FASTEST: Duration = Duration::from_millis(140);
 /// The same over a link with a delay of 0.2 s each way.
 pub(crate) const UNSEEN: Duration = Duration::from_millis(560);
 /// A larger deviation is a lost status.
-const MOST_JITTER: Duration = Duration::from_millis(200);
+const MAX_JITTER: Duration = Duration::from_millis(200);
 /// A longer latency has another cause, or the command was lost.
 const SLOWEST: Duration = Duration::from_secs(2);

@@ -95,12 +95,12 @@ impl ResetDetector {
     /// Handles a read of several statuses, `more` after the first. The arm sent them one period apart: a
     /// computer that was suspended reads them late, although the arm was not silent.
     pub(crate) fn handle_read(&mut self, now: Duration, more: usize, period: Duration) {
-        let Some((heard, _)) = self.last else {
+        let Some((received, _)) = self.last else {
             return;
         };
         let more = u32::try_from(more).unwrap_or(u32::MAX);
         let sending = period.saturating_mul(more);
-        self.silent_for = now.saturating_sub(heard).saturating_sub(sending);
+        self.silent_for = now.saturating_sub(received).saturating_sub(sending);
         self.period = period;
     }
 
@@ -144,7 +144,7 @@ impl ResetDetector {
     ) -> Option<ResetEvidence> {
         let went_on = std::mem::take(&mut self.opened) && to_zero;
         self.still |= at_rest;
-        let (heard, before) = self.last.replace((now, *status))?;
+        let (received, before) = self.last.replace((now, *status))?;
         if self
             .initial_angles
             .is_some_and(|(angles, _)| shows(status, angles))
@@ -161,7 +161,7 @@ impl ResetDetector {
         let silent_for = self.silent_for;
         let deaf = silent_for >= DEAF;
         // Statuses that are read together were sent one period apart.
-        let within = now.saturating_sub(heard).max(self.period);
+        let within = now.saturating_sub(received).max(self.period);
         let jumped = !jumps && jumped(&before, status, within);
         let base_is_zero = status.base_deg == 0.0;
         // A joint that has moved since the last status may have moved from the 0 of a reset.

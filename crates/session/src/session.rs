@@ -55,7 +55,7 @@ pub struct Session {
     dialect: Option<Dialect>,
     decoder: Decoder<Statuses>,
     /// When the last bytes arrived.
-    bytes_came: Duration,
+    bytes_arrived: Duration,
     permit_scheme: PermitScheme,
     next_id: u64,
     /// A status arrived that no command has used yet.
@@ -75,7 +75,7 @@ pub struct Session {
     status: Option<Status>,
     now: Duration,
     /// When the last status arrived; initially the time of the connect.
-    heard: Duration,
+    status_arrived: Duration,
     /// When this computer resumed after a suspension; zero if it never was suspended.
     stalled: Duration,
     lost: bool,
@@ -126,7 +126,7 @@ impl Session {
             now: Duration::ZERO,
             dialect,
             decoder: Decoder::statuses(plausible),
-            bytes_came: Duration::ZERO,
+            bytes_arrived: Duration::ZERO,
             permit_scheme: PermitScheme::default(),
             next_id: 0,
             permit: false,
@@ -135,7 +135,7 @@ impl Session {
             to_send: VecDeque::new(),
             completion: Completion::default(),
             status: None,
-            heard: Duration::ZERO,
+            status_arrived: Duration::ZERO,
             stalled: Duration::ZERO,
             lost: false,
             opened: true,
@@ -252,7 +252,7 @@ impl Session {
     /// stay in flight until statuses show otherwise.
     pub fn handle_open(&mut self, now: Duration) {
         self.now = now;
-        self.heard = now;
+        self.status_arrived = now;
         self.opened = true;
         self.decoder = Decoder::statuses(plausible);
         self.status_wait = StatusWait::default();
@@ -286,10 +286,10 @@ impl Session {
         self.now = now;
         if !bytes.is_empty() {
             // The arm may have been reset in the middle of a status: do not complete it with new bytes.
-            if now.saturating_sub(self.bytes_came) >= DEAF {
+            if now.saturating_sub(self.bytes_arrived) >= DEAF {
                 self.decoder.give_up_waiting();
             }
-            self.bytes_came = now;
+            self.bytes_arrived = now;
         }
         // The frames borrow the decoder, so they are collected: a read holds a few at most.
         let frames: Vec<Frame> = self.decoder.feed(bytes).collect();
@@ -324,7 +324,7 @@ impl Session {
         if now >= self.link_lost_at() {
             self.lost = true;
             self.events.push_back(Event::LinkLost {
-                silent_for: now.saturating_sub(self.heard),
+                silent_for: now.saturating_sub(self.status_arrived),
                 received: self.status_wait.no_status(),
             });
             self.lose_laser(Disarmed::LinkLost);
@@ -367,7 +367,7 @@ impl Session {
             }
             Some(_) | None => LINK_TIMEOUT,
         };
-        self.heard.max(self.stalled) + timeout
+        self.status_arrived.max(self.stalled) + timeout
     }
 
     /// Whether the arm's queue may be full (urgent packets count too), which makes it silent.
@@ -376,17 +376,17 @@ impl Session {
     }
 
     fn handle_status(&mut self, now: Duration, status: Status) {
-        let heard = self.permit_scheme.classify(now, status);
+        let received = self.permit_scheme.classify(now, status);
         let had_room = self.is_bluetooth() || !self.may_be_full();
-        self.heard = now;
+        self.status_arrived = now;
         self.lost = false;
         self.opened = false;
-        self.meter.handle_status(now, &heard, had_room);
-        if heard.is_regular {
-            self.note_status(now, &heard);
+        self.meter.handle_status(now, &received, had_room);
+        if received.is_regular {
+            self.note_status(now, &received);
         }
         // Statuses less than half a period apart were delayed on the way: together they are one permit.
-        self.permit |= heard.permits
+        self.permit |= received.permits
             && self
                 .used
                 .is_none_or(|used| now.saturating_sub(used) >= self.meter.period() / 2)
@@ -522,13 +522,14 @@ impl Session {
         next.command = self.matching_release(next.command);
         let command = next.command;
         self.permit = false;
-        self.used = Some(self.heard);
+        self.used = Some(self.status_arrived);
         self.left = Some(self.now);
         let packet = self
             .packet(&command)
             .expect("it was encoded before, when it was queued");
         let at_rest = self.estimate.is_at_rest();
-        self.meter.handle_sent(self.heard, at_rest, moves(&command));
+        self.meter
+            .handle_sent(self.status_arrived, at_rest, moves(&command));
         self.trust.handle_sent(&command);
         self.note_laser(&command);
         self.events.push_back(Event::Sent(next.id));

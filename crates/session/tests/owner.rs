@@ -14,7 +14,7 @@ const PERIOD: Duration = Dialect::SPECIFICATION.status_period();
 /// Rear arm upright, forearm level.
 const STATUS: Status = Status::AT_ZERO;
 
-fn tell(session: &mut Session, now: Duration) {
+fn report(session: &mut Session, now: Duration) {
     session.handle_bytes(now, &STATUS.emit().to_bytes());
 }
 
@@ -33,7 +33,7 @@ fn packets(session: &mut Session) -> usize {
 #[test]
 fn a_dialect_learned_later_applies_from_then_on() {
     let mut session = Session::trusted(None);
-    tell(&mut session, PERIOD);
+    report(&mut session, PERIOD);
     assert!(matches!(
         session.send(line(220.0)),
         Err(SendError::Undecided { .. })
@@ -70,19 +70,20 @@ fn a_packet_is_read_by_its_dialect_and_refused_if_that_matters_and_is_unknown() 
 #[test]
 fn a_reopened_port_has_five_seconds_and_no_permit() {
     let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
-    tell(&mut session, PERIOD);
+    report(&mut session, PERIOD);
     let again = Duration::from_mins(1);
     session.handle_open(again);
     session.send(stroke(5.0)).expect("it is allowed");
     assert_eq!(packets(&mut session), 0);
     session.handle_time(again + Duration::from_millis(4900));
     let lost = |session: &mut Session| {
-        std::iter::from_fn(|| session.poll_event()).any(|it| matches!(it, Event::LinkLost { .. }))
+        std::iter::from_fn(|| session.poll_event())
+            .any(|event| matches!(event, Event::LinkLost { .. }))
     };
     assert!(!lost(&mut session));
     session.handle_time(again + Duration::from_secs(5));
     assert!(lost(&mut session));
-    tell(&mut session, again + Duration::from_secs(6));
+    report(&mut session, again + Duration::from_secs(6));
     assert_eq!(packets(&mut session), 1);
 }
 
@@ -92,7 +93,7 @@ fn discarded_commands_are_named_by_their_ids() {
     let ids: Vec<_> = [1.0, 2.0, 3.0]
         .map(|y| session.send(stroke(y)).expect("it is allowed"))
         .into();
-    tell(&mut session, PERIOD);
+    report(&mut session, PERIOD);
     assert_eq!(session.discard_waiting(), ids[1..]);
 }
 
@@ -100,13 +101,13 @@ fn discarded_commands_are_named_by_their_ids() {
 fn a_full_queue_is_distinguished_from_an_idle_link() {
     let mut session = Session::trusted(Some(Dialect::SPECIFICATION)).with_ahead(Duration::MAX);
     let mut now = PERIOD;
-    tell(&mut session, now);
+    report(&mut session, now);
     session.handle_time(now + PERIOD * 3);
     assert!(!session.queue().is_full, "nothing is under way");
     for n in 0..4_u8 {
         let by = if n % 2 == 0 { 40.0 } else { -40.0 };
         session.send(stroke(by)).expect("it is allowed");
-        tell(&mut session, now + PERIOD * 3);
+        report(&mut session, now + PERIOD * 3);
         now += PERIOD;
     }
     session.handle_time(now + PERIOD * 6);
@@ -125,7 +126,7 @@ fn a_jog_is_released_by_its_own_kind() {
         (LinearJogAxis::YMinus, LinearJogAxis::Released),
     ] {
         let mut session = Session::trusted(Some(Dialect::FIRMWARE_1_1));
-        tell(&mut session, PERIOD);
+        report(&mut session, PERIOD);
         let jog = LinearJog::new(held, 10.0);
         session.send(jog).expect("it is allowed");
         assert_eq!(
@@ -139,7 +140,7 @@ fn a_jog_is_released_by_its_own_kind() {
 #[test]
 fn an_urgent_packet_sent_outside_the_session_is_accounted_for() {
     let mut session = Session::trusted(Some(Dialect::FIRMWARE_1_1));
-    tell(&mut session, PERIOD);
+    report(&mut session, PERIOD);
     let laser = Command::from(JointJog::new(JointJogAxis::LaserOn, 0.0));
     let packet = session.emit_now(&laser).expect("it is allowed");
     assert!(matches!(packet, Packet::Frame(_)));
@@ -151,12 +152,12 @@ fn an_urgent_packet_sent_outside_the_session_is_accounted_for() {
 #[test]
 fn an_urgent_packet_that_moves_nothing_is_over_soon() {
     let mut session = Session::trusted(Some(Dialect::FIRMWARE_1_1));
-    tell(&mut session, PERIOD);
+    report(&mut session, PERIOD);
     let laser_off = JointJog::new(JointJogAxis::LaserOff, 0.0);
     session.send_now(laser_off).expect("it is allowed");
     assert!(session.is_moving(), "it is not known yet");
     for n in 2..8 {
-        tell(&mut session, PERIOD * n);
+        report(&mut session, PERIOD * n);
     }
     assert!(!session.is_moving());
     assert!(session.model().expect("a status arrived").knows_place());
@@ -173,7 +174,7 @@ fn events(session: &mut Session) -> Vec<Event> {
 #[test]
 fn burning_commands_are_refused_unless_the_laser_is_armed() {
     let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
-    tell(&mut session, PERIOD);
+    report(&mut session, PERIOD);
     let refused = Err(SendError::LaserDisarmed);
     assert_eq!(session.send(burn(10.0)), refused);
     let on = JointJog::new(JointJogAxis::LaserOn, 0.0);
@@ -189,33 +190,33 @@ fn burning_commands_are_refused_unless_the_laser_is_armed() {
 #[test]
 fn burning_commands_still_queued_when_the_arming_time_ends_are_not_sent() {
     let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
-    tell(&mut session, PERIOD);
+    report(&mut session, PERIOD);
     session.arm_laser(Duration::from_secs(1));
     let first = session.send(stroke(5.0)).expect("it is allowed");
     let kept = session.send(stroke(5.0)).expect("it is allowed");
     let burning = session.send(burn(5.0)).expect("it is armed");
-    let behind = session.send(stroke(5.0)).expect("it is allowed");
+    let after = session.send(stroke(5.0)).expect("it is allowed");
     events(&mut session);
     session.handle_time(Duration::from_secs(1));
-    let told = events(&mut session);
+    let reported = events(&mut session);
     let not_sent = |command| Event::NotSent {
         command,
         reason: SendError::LaserDisarmed,
     };
-    assert!(told.contains(&not_sent(burning)), "{told:?}");
-    assert!(told.contains(&not_sent(behind)), "{told:?}");
+    assert!(reported.contains(&not_sent(burning)), "{reported:?}");
+    assert!(reported.contains(&not_sent(after)), "{reported:?}");
     assert!(
-        told.contains(&Event::LaserDisarmed(dobot_session::Disarmed::TimeOver)),
-        "{told:?}"
+        reported.contains(&Event::LaserDisarmed(dobot_session::Disarmed::TimeOver)),
+        "{reported:?}"
     );
-    assert!(first < kept && session.waiting() == 1, "{told:?}");
+    assert!(first < kept && session.waiting() == 1, "{reported:?}");
 }
 
 #[test]
 fn the_laser_is_disarmed_by_silence_by_reopening_the_port_and_by_a_reset() {
     let armed = || {
         let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
-        tell(&mut session, PERIOD);
+        report(&mut session, PERIOD);
         session.arm_laser(Duration::from_mins(10));
         session
     };
@@ -241,7 +242,7 @@ fn the_laser_is_disarmed_by_silence_by_reopening_the_port_and_by_a_reset() {
 #[test]
 fn a_free_laser_needs_no_arming_and_is_not_disarmed() {
     let mut session = Session::trusted(Some(Dialect::SPECIFICATION)).with_free_laser();
-    tell(&mut session, PERIOD);
+    report(&mut session, PERIOD);
     session.send(burn(5.0)).expect("it is free");
     session.handle_open(Duration::from_secs(1));
     session.disarm_laser();

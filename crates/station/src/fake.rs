@@ -100,13 +100,13 @@ impl FakeDriver {
 
     /// Publishes a state.
     #[cfg(feature = "full")]
-    pub(crate) fn tell(&self, state: dobot_api::State) {
+    pub(crate) fn publish_state(&self, state: dobot_api::State) {
         self.ends.publish_state(state);
     }
 
     /// Publishes a passed packet.
     #[cfg(feature = "full")]
-    pub(crate) fn tell_passed(&self, packet: PassedPacket) {
+    pub(crate) fn publish_packet(&self, packet: PassedPacket) {
         self.ends.publish_packet(packet);
     }
 

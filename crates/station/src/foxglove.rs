@@ -69,7 +69,7 @@ impl FoxglovePort {
             return Err(FoxglovePortError::NotLoopback { found: address });
         }
         let context = Context::new();
-        let (came, late) = mpsc::unbounded_channel();
+        let (sender, late) = mpsc::unbounded_channel();
         let failed = |source| FoxglovePortError::Listen {
             address,
             source: Box::new(source),
@@ -79,7 +79,7 @@ impl FoxglovePort {
         let inner = front::hidden_address().map_err(|error| failed(FoxgloveError::Bind(error)))?;
         let server = context
             .websocket_server()
-            .listener(Arc::new(InkSubscribers(came)))
+            .listener(Arc::new(InkSubscribers(sender)))
             .name(concat!("dobot ", env!("CARGO_PKG_VERSION")))
             .bind(inner.to_string(), 0);
         let server = server.start().await.map_err(failed)?;

@@ -172,10 +172,10 @@ mod tests {
         let whole = compiled("2");
         for step in 0..whole.steps.len() {
             let rest = whole.from_step(step).unwrap();
-            for it in &rest.steps {
-                let same = |other: &&CompiledStep| other.line == it.line;
+            for step in &rest.steps {
+                let same = |other: &&CompiledStep| other.line == step.line;
                 let other = whole.steps.iter().find(same).unwrap();
-                assert_eq!(rest.commands[it.first], whole.commands[other.first]);
+                assert_eq!(rest.commands[step.first], whole.commands[other.first]);
             }
             assert!(
                 rest.pauses

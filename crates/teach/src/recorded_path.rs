@@ -236,8 +236,8 @@ mod tests {
     fn a_switch_of_the_pump_is_kept_even_on_a_straight_line() {
         let mut path: Vec<RecordedPlace> =
             (0..10).map(|i| place([f64::from(i), 0.0, 0.0])).collect();
-        for it in &mut path[6..] {
-            it.suction = true;
+        for place in &mut path[6..] {
+            place.suction = true;
         }
         let kept = simplified(&path, 1.0);
         assert_eq!(kept, [path[0], path[5], path[6], path[9]]);
@@ -273,11 +273,11 @@ mod tests {
                 .collect();
             let kept = simplified(&path, tolerance);
             prop_assert_eq!((kept.first(), kept.last()), (path.first(), path.last()));
-            for it in &path {
+            for place in &path {
                 let near = kept.windows(2).any(|ends| {
-                    distance_from_chord(it.joined(), ends[0].joined(), ends[1].joined()) <= tolerance + 1e-9
+                    distance_from_chord(place.joined(), ends[0].joined(), ends[1].joined()) <= tolerance + 1e-9
                 });
-                prop_assert!(near || kept.contains(it));
+                prop_assert!(near || kept.contains(place));
             }
         }
     }

@@ -328,7 +328,7 @@ mod tests {
             &[4.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 50.0],
             &[2.0, 1.5, 0.0, 0.0, 0.0, 0.0, 0.0, 50.0],
         ] {
-            let is_harmless = stand_in(found, &in_force).map(|(_, it)| it);
+            let is_harmless = stand_in(found, &in_force).map(|(_, is_harmless)| is_harmless);
             assert_eq!(is_harmless, Some(false), "{found:?}");
         }
     }

@@ -63,9 +63,9 @@ fn between(travel: Travel, strokes: &[Stroke]) -> f64 {
 /// Returns the CPU time used so far, or the elapsed time if the system does not report it.
 fn cpu_s() -> f64 {
     thread_local!(static BEGIN: Instant = Instant::now());
-    let told = fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let told = told.and_then(|line| line.split(' ').next()?.parse::<f64>().ok());
-    told.map_or_else(
+    let text = fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let cpu_ns = text.and_then(|line| line.split(' ').next()?.parse::<f64>().ok());
+    cpu_ns.map_or_else(
         || BEGIN.with(Instant::elapsed).as_secs_f64(),
         |ns| ns * 1e-9,
     )

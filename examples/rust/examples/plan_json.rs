@@ -56,9 +56,9 @@ fn json(plan: &Plan) -> String {
         .zip(plan.positions())
         .zip(plan.durations());
     let mut from = plan.start;
-    let mut goes_on = false;
+    let mut moves = false;
     for ((vector, to), duration_s) in ends {
-        if !goes_on {
+        if !moves {
             let [x, y, z] = from;
             let separator = if text.ends_with('[') { "" } else { "," };
             let limit = if vector.kind == MoveKind::Travel {
@@ -74,8 +74,8 @@ fn json(plan: &Plan) -> String {
         let [x, y, z] = to;
         let speed = vector.end_speed_mm_s;
         let _ = write!(text, ",[{x},{y},{z},{speed},{duration_s}]");
-        goes_on = speed > 0.0;
-        if !goes_on {
+        moves = speed > 0.0;
+        if !moves {
             text += "]}";
         }
         from = to;

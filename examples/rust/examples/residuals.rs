@@ -19,11 +19,11 @@ fn main() {
     let mut missed = || (random.share() - 0.5) * 0.6;
     let mut touches = SHEET_POINTS.map(|[x, y]| {
         let there = Position::new(x + missed(), y + missed(), -42.0 + missed());
-        let told = arm.told_joints(there, Tool::SuctionCup);
+        let joints = arm.told_joints(there, Tool::SuctionCup);
         Touch {
             place_mm: [x, y],
             height_mm: 0.0,
-            raw: told.expect("the arm reaches the sheet"),
+            raw: joints.expect("the arm reaches the sheet"),
         }
     });
     touches[4].place_mm[0] += 12.0;

@@ -83,7 +83,7 @@ async fn ask(address: &StationAddress, question: &str) -> Result<Vec<u8>, Connec
         .await
         .map_err(broken)?;
     let mut answer = Vec::new();
-    let mut most = stream.take(MOST_BYTES);
+    let mut most = stream.take(MAX_BYTES);
     most.read_to_end(&mut answer).await.map_err(broken)?;
     Ok(answer)
 }
@@ -112,7 +112,7 @@ fn split(answer: &[u8]) -> Option<(u16, &[u8])> {
 }
 
 const SPEECH: &str = "it does not speak HTTP";
-const MOST_BYTES: u64 = 16 << 20;
+const MAX_BYTES: u64 = 16 << 20;
 
 #[cfg(test)]
 mod tests {

@@ -134,14 +134,14 @@ mod tests {
     fn an_explicit_token_is_used_even_at_the_station_of_this_machine() {
         let mut here = StationAddress::new(USUAL).expect("it is an address");
         here.token = Some("everything".to_owned());
-        let says = |token: Option<&str>| {
+        let token_for = |token: Option<&str>| {
             let search = StationSearch {
                 token: token.map(str::to_owned),
                 ..StationSearch::default()
             };
             search.of_here(here.clone()).token
         };
-        assert_eq!(says(Some("less")).as_deref(), Some("less"));
-        assert_eq!(says(None).as_deref(), Some("everything"));
+        assert_eq!(token_for(Some("less")).as_deref(), Some("less"));
+        assert_eq!(token_for(None).as_deref(), Some("everything"));
     }
 }

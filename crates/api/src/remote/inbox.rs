@@ -117,7 +117,7 @@ impl Received {
             Ok(ToClient::State { state }) => {
                 self.events.push_back(Ok(StationEvent::State(state)));
                 let states = self.events.iter().filter(|event| is_state(event)).count();
-                if self.expected.is_some() || states > MOST_STATES {
+                if self.expected.is_some() || states > MAX_STATES {
                     self.keep_last_state();
                 }
             }
@@ -166,4 +166,4 @@ const fn is_state(event: &Result<StationEvent, RemoteError>) -> bool {
 
 /// The maximum number of states in a burst, about one second's; a slower client gets only the
 /// latest one.
-const MOST_STATES: usize = 16;
+const MAX_STATES: usize = 16;

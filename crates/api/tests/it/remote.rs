@@ -30,14 +30,14 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Fake<S> {
             Ok(answer)
         };
         let mut fake = Self(accept_hdr_async(stream, note).await.unwrap());
-        fake.say(json!({"hello": {
+        fake.send(json!({"hello": {
             "client": 3, "role": "control", "version": "0.1.0", "dead_man_s": 0.15,
         }}))
         .await;
         (fake, asked)
     }
 
-    async fn say(&mut self, message: Value) {
+    async fn send(&mut self, message: Value) {
         let sent = self.0.send(Message::text(message.to_string())).await;
         sent.unwrap();
     }
@@ -92,12 +92,12 @@ async fn an_answer_is_distinguished_from_earlier_messages_and_none_of_them_is_lo
     let serve = async {
         let asked = fake.receive().await;
         assert_eq!(asked["request"], json!({"type": "take_lease"}));
-        fake.say(state(1.0)).await;
-        fake.say(notice(1, &json!({"type": "link_up"}), "here"))
+        fake.send(state(1.0)).await;
+        fake.send(notice(1, &json!({"type": "link_up"}), "here"))
             .await;
-        fake.say(state(2.0)).await;
+        fake.send(state(2.0)).await;
         let answer = json!({"id": asked["id"], "reply": {"type": "lease", "lease": null}});
-        fake.say(answer).await;
+        fake.send(answer).await;
     };
     let (reply, ()) = tokio::join!(remote.request(Request::TakeLease), serve);
     assert_eq!(reply.unwrap(), Reply::Lease { lease: None });
@@ -106,7 +106,7 @@ async fn an_answer_is_distinguished_from_earlier_messages_and_none_of_them_is_lo
 }
 
 /// Waits until the client has received everything, without a request.
-async fn is_heard(fake: &mut Fake) {
+async fn is_received(fake: &mut Fake) {
     fake.0.send(Message::Ping("there?".into())).await.unwrap();
     let answer = fake.0.next().await.unwrap().unwrap();
     assert_eq!(answer, Message::Pong("there?".into()));
@@ -129,12 +129,12 @@ async fn next_at_s(remote: &mut Remote) -> f64 {
 #[tokio::test]
 async fn a_client_that_waits_for_a_person_stays_connected_and_then_gets_the_last_state() {
     let (mut remote, mut fake) = pair().await;
-    fake.say(notice(1, &json!({"type": "link_up"}), "here"))
+    fake.send(notice(1, &json!({"type": "link_up"}), "here"))
         .await;
     for second in 1..=17 {
-        fake.say(state(second.into())).await;
+        fake.send(state(second.into())).await;
     }
-    is_heard(&mut fake).await;
+    is_received(&mut fake).await;
     assert_eq!(next_text(&mut remote).await, "here");
     assert_eq!(next_at_s(&mut remote).await, 17.0);
 }
@@ -143,9 +143,9 @@ async fn a_client_that_waits_for_a_person_stays_connected_and_then_gets_the_last
 async fn states_that_arrive_in_a_burst_are_all_delivered() {
     let (mut remote, mut fake) = pair().await;
     for second in 1..=16 {
-        fake.say(state(second.into())).await;
+        fake.send(state(second.into())).await;
     }
-    is_heard(&mut fake).await;
+    is_received(&mut fake).await;
     for second in 1..=16 {
         assert_eq!(next_at_s(&mut remote).await, f64::from(second));
     }
@@ -155,12 +155,12 @@ async fn states_that_arrive_in_a_burst_are_all_delivered() {
 async fn a_request_is_followed_by_no_state_older_than_the_last_one() {
     let (mut remote, mut fake) = pair().await;
     for second in 1..=9 {
-        fake.say(state(second.into())).await;
+        fake.send(state(second.into())).await;
     }
-    is_heard(&mut fake).await;
+    is_received(&mut fake).await;
     let serve = async {
         let asked = fake.receive().await;
-        fake.say(json!({"id": asked["id"], "reply": {"type": "done"}}))
+        fake.send(json!({"id": asked["id"], "reply": {"type": "done"}}))
             .await;
     };
     let (reply, ()) = tokio::join!(remote.request(Request::PauseJob), serve);
@@ -171,7 +171,7 @@ async fn a_request_is_followed_by_no_state_older_than_the_last_one() {
 #[tokio::test]
 async fn a_client_that_returns_to_an_ended_station_gets_the_reason() {
     let (mut remote, mut fake) = pair().await;
-    fake.say(notice(1, &json!({"type": "link_up"}), "here"))
+    fake.send(notice(1, &json!({"type": "link_up"}), "here"))
         .await;
     let close = CloseFrame {
         code: CloseCode::Away,
@@ -179,10 +179,10 @@ async fn a_client_that_returns_to_an_ended_station_gets_the_reason() {
     };
     fake.0.close(Some(close)).await.unwrap();
     let refused = remote.request(Request::TakeLease).await.unwrap_err();
-    let told = refused.to_string();
-    assert!(told.ends_with(": the station is shutting down"), "{told}");
-    let heard = remote.next().await.unwrap();
-    assert!(matches!(heard, StationEvent::Notice(_)), "{heard:?}");
+    let text = refused.to_string();
+    assert!(text.ends_with(": the station is shutting down"), "{text}");
+    let event = remote.next().await.unwrap();
+    assert!(matches!(event, StationEvent::Notice(_)), "{event:?}");
     let over = remote.next().await.unwrap_err();
     assert!(matches!(over, RemoteError::Closed(None)), "{over:?}");
 }
@@ -198,9 +198,9 @@ async fn an_answer_that_arrives_too_late_is_not_mistaken_for_another_one() {
     let answer = |asked: &Value, reply: Value| json!({"id": asked["id"], "reply": reply});
     let serve = async {
         let asked = fake.receive().await;
-        fake.say(answer(&given_up, json!({"type": "lease", "lease": null})))
+        fake.send(answer(&given_up, json!({"type": "lease", "lease": null})))
             .await;
-        fake.say(answer(&asked, json!({"type": "done"}))).await;
+        fake.send(answer(&asked, json!({"type": "done"}))).await;
     };
     let (reply, ()) = tokio::join!(remote.request(Request::PauseJob), serve);
     assert_eq!(reply.unwrap(), Reply::Done);
@@ -215,7 +215,7 @@ async fn a_refusal_has_its_text_its_kind_and_its_hint() {
             "type": "/api/v1/problems/no-lease", "title": "no control", "status": 409,
             "detail": "the page has control", "hint": "ask",
         });
-        fake.say(json!({"id": asked["id"], "problem": problem}))
+        fake.send(json!({"id": asked["id"], "problem": problem}))
             .await;
     };
     let (reply, ()) = tokio::join!(remote.request(Request::PauseJob), serve);

@@ -342,7 +342,9 @@ mod tests {
             let one = ends_with_one.then_some(1.0);
             let mut coefficients = coefficients.iter().copied().chain(one).map(wide);
             let first = coefficients.next().expect("a series");
-            coefficients.fold(first, |so_far, it| sum(product(so_far, x), it))
+            coefficients.fold(first, |so_far, coefficient| {
+                sum(product(so_far, x), coefficient)
+            })
         }
 
         /// Of the first 24 digits of each. Digits after the 32nd are lost, except in the last step.
@@ -359,7 +361,7 @@ mod tests {
         }
 
         fn sum(a: Wide, b: Wide) -> Wide {
-            let key = |it: &Wide| (it.mantissa != 0, it.power, it.mantissa);
+            let key = |number: &Wide| (number.mantissa != 0, number.power, number.mantissa);
             let (large, small) = if key(&a) < key(&b) { (b, a) } else { (a, b) };
             let distance = large.power - small.power;
             if small.mantissa == 0 || distance > 32 {
@@ -395,20 +397,20 @@ mod tests {
         }
 
         /// To the nearest 24 digits; where there is no nearest, to the even one.
-        fn round(it: Wide) -> f32 {
-            let (kept, rest) = (it.mantissa >> 8, it.mantissa & 0xFF);
-            let is_up = rest > 0x80 || rest == 0x80 && (it.has_more || kept % 2 == 1);
-            narrow(it, kept + u64::from(is_up))
+        fn round(number: Wide) -> f32 {
+            let (kept, rest) = (number.mantissa >> 8, number.mantissa & 0xFF);
+            let is_up = rest > 0x80 || rest == 0x80 && (number.has_more || kept % 2 == 1);
+            narrow(number, kept + u64::from(is_up))
         }
 
-        fn half_up(it: Wide) -> Wide {
-            wide(narrow(it, (it.mantissa + 0x80) >> 8).into())
+        fn half_up(number: Wide) -> Wide {
+            wide(narrow(number, (number.mantissa + 0x80) >> 8).into())
         }
 
-        fn negative(it: Wide) -> Wide {
+        fn negative(number: Wide) -> Wide {
             Wide {
-                is_negative: !it.is_negative,
-                ..it
+                is_negative: !number.is_negative,
+                ..number
             }
         }
 
@@ -417,9 +419,9 @@ mod tests {
             clippy::cast_precision_loss,
             reason = "there are 25 digits, and the 25th is 0"
         )]
-        fn narrow(it: Wide, digits: u64) -> f32 {
-            let size = libm::scalbn(digits as f64, it.power + 8) as f32;
-            if it.is_negative { -size } else { size }
+        fn narrow(number: Wide, digits: u64) -> f32 {
+            let size = libm::scalbn(digits as f64, number.power + 8) as f32;
+            if number.is_negative { -size } else { size }
         }
 
         #[expect(

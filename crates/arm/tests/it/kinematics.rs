@@ -80,15 +80,15 @@ proptest! {
         (joints, tool) in workspace(), which in 0_usize..8, by in prop_oneof![-90.0..-0.05, 0.05..90.0],
     ) {
         let Pose { position, rotation } = forward(&joints, tool);
-        let mut told = [position.x.0, position.y.0, position.z.0, rotation.0, 0.0, 0.0, 0.0, 0.0];
-        told[4..].copy_from_slice(&angles(&joints));
-        let judge = |told: [f64; 8]| {
-            agrees([told[0], told[1], told[2]], told[3], [told[4], told[5], told[6], told[7]])
+        let mut reported = [position.x.0, position.y.0, position.z.0, rotation.0, 0.0, 0.0, 0.0, 0.0];
+        reported[4..].copy_from_slice(&angles(&joints));
+        let judge = |reported: [f64; 8]| {
+            agrees([reported[0], reported[1], reported[2]], reported[3], [reported[4], reported[5], reported[6], reported[7]])
         };
-        prop_assert!(judge(told));
-        told[which] += by;
+        prop_assert!(judge(reported));
+        reported[which] += by;
         // 0.05 degrees move a tool that is 129 mm away by 0.11 mm, a link of 135 mm by 0.12 mm.
-        prop_assert!(!judge(told));
+        prop_assert!(!judge(reported));
     }
 }
 

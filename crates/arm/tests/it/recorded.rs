@@ -94,7 +94,7 @@ proptest! {
         let [x_mm, y_mm, z_mm, rotation_deg] = bits.map(f32::from_bits);
         let pose = StockPose { x_mm, y_mm, z_mm, rotation_deg };
         let joints = inverse(pose, TOOLS_MM[0]);
-        if [x_mm, y_mm, z_mm].iter().any(|it| it.is_nan()) {
+        if [x_mm, y_mm, z_mm].iter().any(|number| number.is_nan()) {
             prop_assert!(joints.rear_deg.is_nan() && joints.fore_deg.is_nan());
         }
         let again = forward(joints, TOOLS_MM[0]);
@@ -109,7 +109,10 @@ fn statuses() -> Vec<(String, StockJoints, StockPose)> {
     let mut statuses = Vec::new();
     for file in std::fs::read_dir(folder).expect("the recordings are there") {
         let script = file.expect("a file").path();
-        if script.extension().is_none_or(|it| it != "script") {
+        if script
+            .extension()
+            .is_none_or(|extension| extension != "script")
+        {
             continue;
         }
         let path = script.with_extension("csv");

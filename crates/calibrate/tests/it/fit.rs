@@ -37,10 +37,10 @@ fn an_old_arm_finds_every_place_of_its_paper_again() {
     for [x, y] in [[150.0, -100.0], [230.0, 40.0], [270.0, 100.0]] {
         let wanted = Position::new(x, y, found.paper.z_at([x, y]));
         let raw = found.arm.told_place(wanted, Tool::SuctionCup).unwrap();
-        let came = ARM.true_place(raw, Tool::SuctionCup).unwrap();
-        let away = (came.x.0 - x).hypot(came.y.0 - y);
+        let reached = ARM.true_place(raw, Tool::SuctionCup).unwrap();
+        let away = (reached.x.0 - x).hypot(reached.y.0 - y);
         assert!(away < 0.15, "{x}, {y}: {away} mm away");
-        let height = came.z.0 - (-45.0 + 0.035 * came.x.0);
+        let height = reached.z.0 - (-45.0 + 0.035 * reached.x.0);
         assert!(height.abs() < 0.1, "{x}, {y}: {height} mm above the paper");
     }
 }

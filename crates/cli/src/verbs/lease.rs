@@ -134,11 +134,11 @@ async fn request_control(station: &mut StationClient) -> Result<(), Failure> {
 /// Waits until control is this client's.
 async fn wait_for_control(station: &mut StationClient, me: ClientId) -> Result<(), Failure> {
     loop {
-        let heard = tokio::select! {
-            heard = station.next() => heard?,
+        let event = tokio::select! {
+            event = station.next() => event?,
             () = interrupt() => return Err(anyhow!("interrupted").into()),
         };
-        let StationEvent::Notice(notice) = heard else {
+        let StationEvent::Notice(notice) = event else {
             continue;
         };
         match notice.news {
@@ -159,8 +159,8 @@ async fn keep_control(station: &mut StationClient, time: Option<Duration>) -> Re
     let mut lines = lines_of_person();
     let mut asking = None;
     loop {
-        let heard = tokio::select! {
-            heard = station.next() => heard?,
+        let event = tokio::select! {
+            event = station.next() => event?,
             Some(()) = lines.recv() => {
                 if let Some(to) = asking.take() {
                     station.request(Request::GrantLease { to }).await?;
@@ -171,7 +171,7 @@ async fn keep_control(station: &mut StationClient, time: Option<Duration>) -> Re
             () = &mut over => break,
             () = &mut interrupt => break,
         };
-        let StationEvent::Notice(notice) = heard else {
+        let StationEvent::Notice(notice) = event else {
             continue;
         };
         if let News::LeaseAsked { client } = notice.news {

@@ -32,9 +32,9 @@ pub(crate) struct Args {
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let voice = voice_command(&args.words.join(" ")).map_err(Failure::usage)?;
-    let say = async |station: &mut StationClient| {
+    let send = async |station: &mut StationClient| {
         run_one_command(station, &args.to, None, |_, _| Ok(voice.into())).await
     };
-    let status = args.to.with_arm("say", say).await?;
+    let status = args.to.with_arm("say", send).await?;
     Ok(output::status(&status, args.json)?)
 }

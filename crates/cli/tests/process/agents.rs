@@ -24,7 +24,7 @@ impl Desk {
         let arm = WiredArm::new(fast_arm(&["--tcp", "127.0.0.1:0"]));
         let to = ["--arm", &arm.address, "--dialect", "specification"];
         let up = Up::with_arm(&to, &[]);
-        wait_for_state(&up, |it| it["arm"].is_object());
+        wait_for_state(&up, |state| state["arm"].is_object());
         up.dobot(&["move", "200", "0", "30", "--pose-confirmed"])
             .succeeds();
         let desk = Self { up, arm };
@@ -34,7 +34,7 @@ impl Desk {
 
     /// What the arm got since this was asked last.
     pub(crate) fn got(&self) -> Vec<Command> {
-        let of_arm = |it| match it {
+        let of_arm = |passed| match passed {
             Passed::ToArm(_, command) => Some(command),
             _ => None,
         };
@@ -43,7 +43,7 @@ impl Desk {
 
     /// Until the arm gets a vector.
     fn draws(&self) {
-        while !matches!(self.arm.next(), Passed::ToArm(_, it) if is_vector(&it)) {}
+        while !matches!(self.arm.next(), Passed::ToArm(_, command) if is_vector(&command)) {}
     }
 }
 
@@ -112,12 +112,12 @@ pub(crate) fn square() -> Value {
     json!({"svg": svg, "options": {"place": {"pen_down": -40}, "tool": {"speed": 2}}})
 }
 
-fn is_vector(it: &Command) -> bool {
-    matches!(it, Command::WriteVector(_))
+fn is_vector(command: &Command) -> bool {
+    matches!(command, Command::WriteVector(_))
 }
 
-pub(crate) fn is_motion(it: &Command) -> bool {
-    is_vector(it) || matches!(it, Command::MoveTo(_) | Command::MoveJoints(_))
+pub(crate) fn is_motion(command: &Command) -> bool {
+    is_vector(command) || matches!(command, Command::MoveTo(_) | Command::MoveJoints(_))
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -134,7 +134,8 @@ async fn an_agent_looks_checks_a_move_and_moves_and_a_refused_move_does_not_reac
     let moved = Agent::done(agent.call("move_to", to).await);
     let y_mm = moved["arm"]["y_mm"].as_f64().expect("a number");
     assert!((y_mm + 30.0).abs() < 0.1, "{moved}");
-    let is_there = |it: &Command| matches!(it, Command::MoveTo(it) if it.x_mm == 220.0);
+    let is_there =
+        |command: &Command| matches!(command, Command::MoveTo(target) if target.x_mm == 220.0);
     assert!(desk.got().iter().any(is_there));
     let into_the_table = json!({"x_mm": 220, "y_mm": 0, "z_mm": -90});
     let refused = agent.call("move_to", into_the_table).await;
@@ -149,7 +150,7 @@ async fn an_agent_looks_checks_a_move_and_moves_and_a_refused_move_does_not_reac
 async fn invalid_arguments_are_reported_and_move_nothing() {
     let desk = Desk::new();
     let agent = Agent::new(&desk.up, &[]).await;
-    for (tool, arguments, kind, says) in [
+    for (tool, arguments, kind, expected) in [
         (
             "move_to",
             json!({"x_mm": "NaN", "y_mm": 0, "z_mm": 20}),
@@ -225,7 +226,7 @@ async fn invalid_arguments_are_reported_and_move_nothing() {
     ] {
         let refused = Agent::refused(agent.call(tool, arguments).await, kind);
         let detail = refused["detail"].as_str().expect("a text");
-        assert!(detail.contains(says), "{tool}: {refused}");
+        assert!(detail.contains(expected), "{tool}: {refused}");
     }
     assert!(!desk.got().iter().any(is_motion));
 }
@@ -235,7 +236,10 @@ async fn a_drawing_is_previewed_before_it_is_drawn_and_another_call_stops_it() {
     let desk = Desk::new();
     let agent = Agent::new(&desk.up, &[]).await;
     let planned = agent.call("plan_drawing", square()).await;
-    let picture = planned.content.iter().find_map(|it| it.as_image());
+    let picture = planned
+        .content
+        .iter()
+        .find_map(|content| content.as_image());
     assert_eq!(picture.expect("a picture").mime_type, "image/png");
     let planned = Agent::done(planned);
     assert_eq!(planned["refused"], Value::Null, "{planned}");
@@ -270,7 +274,7 @@ async fn a_call_that_is_cancelled_stops_the_arm() {
 
 /// Waits until the arm is stopped because an agent gave up.
 pub(crate) async fn stopped(up: &Up) {
-    wait_for_state(up, |it| it["stop"].is_object());
+    wait_for_state(up, |state| state["stop"].is_object());
     let other = Agent::new(up, &[]).await;
     let seen = Agent::done(other.call("look", json!({})).await);
     let alarms = seen["alarms"].to_string();
@@ -279,8 +283,8 @@ pub(crate) async fn stopped(up: &Up) {
 }
 
 /// Waits for a state of a station without blocking the agents.
-fn wait_for_state(up: &Up, is_it: impl Fn(&Value) -> bool) {
-    tokio::task::block_in_place(|| up.wait_for_state(is_it));
+fn wait_for_state(up: &Up, is_match: impl Fn(&Value) -> bool) {
+    tokio::task::block_in_place(|| up.wait_for_state(is_match));
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -360,7 +364,7 @@ async fn an_agent_resumes_only_jobs_that_it_paused_itself() {
     let draw = json!({"drawing": planned["drawing"], "wait_s": 0});
     Agent::done(agent.call("draw", draw).await);
     tokio::task::block_in_place(|| desk.draws());
-    let paused = |it: &Value| it["job"]["phase"] == "paused";
+    let paused = |state: &Value| state["job"]["phase"] == "paused";
     Agent::done(
         agent
             .call("change_job", json!({"job": 1, "action": "pause"}))
@@ -408,7 +412,7 @@ async fn an_agent_resumes_only_jobs_that_it_paused_itself() {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_program_is_checked_and_run_to_its_end() {
     let up = Up::new(&[]);
-    wait_for_state(&up, |it| it["arm"].is_object());
+    wait_for_state(&up, |state| state["arm"].is_object());
     let agent = Agent::new(&up, &[]).await;
     let program =
         json!({"text": "title = \"there\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"});
@@ -424,7 +428,7 @@ async fn a_program_is_checked_and_run_to_its_end() {
 #[tokio::test(flavor = "multi_thread")]
 async fn agents_do_not_burn_and_read_no_file_outside_their_folder() {
     let up = Up::new(&[]);
-    wait_for_state(&up, |it| it["arm"].is_object());
+    wait_for_state(&up, |state| state["arm"].is_object());
     let folder = tempfile::tempdir().expect("there is room");
     let inside = folder.path().join("inside");
     std::fs::create_dir(&inside).expect("there is room");
@@ -461,7 +465,7 @@ async fn agents_do_not_burn_and_read_no_file_outside_their_folder() {
 #[tokio::test(flavor = "multi_thread")]
 async fn an_agent_killed_during_a_move_leaves_the_arm_to_others() {
     let up = Up::new(&[]);
-    wait_for_state(&up, |it| it["arm"].is_object());
+    wait_for_state(&up, |state| state["arm"].is_object());
     let mut killed = RunningProcess::with_input(up.command(&["mcp"]));
     killed.write_line(r#"{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"protocolVersion":"2025-06-18","capabilities":{},"clientInfo":{"name":"killed","version":"1"}}}"#);
     killed.wait_for_line("serverInfo");
@@ -469,10 +473,10 @@ async fn an_agent_killed_during_a_move_leaves_the_arm_to_others() {
     killed.write_line(r#"{"jsonrpc":"2.0","id":2,"method":"tools/call","params":{"name":"move_to","arguments":{"x_mm":220,"y_mm":0,"z_mm":20,"pause_s":600}}}"#);
     let other = Agent::new(&up, &[]).await;
     let control = async || Agent::done(other.call("look", json!({})).await)["control"].clone();
-    wait_for_state(&up, |it| it["lease"].is_object());
+    wait_for_state(&up, |state| state["lease"].is_object());
     assert_eq!(control().await["name"], "agent killed");
     killed.kill();
-    wait_for_state(&up, |it| it["lease"].is_null());
+    wait_for_state(&up, |state| state["lease"].is_null());
     assert_eq!(control().await, Value::Null);
 }
 

@@ -9,11 +9,17 @@ fn both_directions_of_a_captured_connection_are_shown_with_their_times() {
     for name in ["ethernet.pcap", "sll.pcap", "sll2-ipv6.pcap"] {
         let outcome = dobot(&["decode", &sample(name), "--json"]).succeeds();
         let lines = json_lines(&outcome.stdout);
-        let kinds: Vec<_> = lines.iter().map(|it| it["command"].is_object()).collect();
+        let kinds: Vec<_> = lines
+            .iter()
+            .map(|line| line["command"].is_object())
+            .collect();
         assert_eq!(kinds, [false, true, false, false], "{name}: {outcome:?}");
         assert!(lines[0]["status"].is_object(), "{name}: {outcome:?}");
         assert_eq!(lines[0]["sender"], lines[1]["receiver"], "{name}");
-        let at_s: Vec<f64> = lines.iter().filter_map(|it| it["at_s"].as_f64()).collect();
+        let at_s: Vec<f64> = lines
+            .iter()
+            .filter_map(|line| line["at_s"].as_f64())
+            .collect();
         // The second status is there with its second piece.
         for [first, second] in [[0, 2], [2, 3]] {
             let between_s = at_s[second] - at_s[first];

@@ -59,7 +59,7 @@ fn a_binary_capture_with_noise_is_listed_with_all_offsets() {
         .collect();
     let offsets: Vec<u64> = lines
         .iter()
-        .filter_map(|it| it["offset"].as_u64())
+        .filter_map(|line| line["offset"].as_u64())
         .collect();
     assert_eq!(offsets, [0, 3, 45, 87], "{outcome:?}");
     assert_eq!(lines[0]["skipped_bytes"], 3);
@@ -184,7 +184,7 @@ fn the_output_of_the_usual_tools_is_read() {
         let lines: Vec<Value> = json_lines(&outcome.stdout);
         let packets: Vec<_> = lines
             .iter()
-            .filter(|it| it["skipped_bytes"].is_null())
+            .filter(|line| line["skipped_bytes"].is_null())
             .collect();
         assert_eq!(packets.len(), 2, "{name}: {outcome:?}");
         assert_eq!(packets[0]["offset"], zeros, "{name}");

@@ -111,7 +111,7 @@ fn a_default_without_effect_on_this_drawing_is_ignored_and_reported() {
         Desk::with("shade = \"outline\"\nhatch = true\nhatch-angle = 30\nkerf = 0.2\ngap = 9\n");
     let defaults = |report: &Value| {
         let unused = report["defaults"]["unused"].as_array().expect("a list");
-        let unused = unused.iter().map(|it| it["option"].clone());
+        let unused = unused.iter().map(|option| option["option"].clone());
         (
             report["defaults"]["used"].clone(),
             unused.collect::<Value>(),
@@ -249,12 +249,12 @@ fn a_mistake_in_the_file_is_one_line_with_its_place_and_the_allowed_values() {
         // A number out of its range is a usage error, as it is on the command line.
         let is_usage = ["1e9", "markr", "tolerance"]
             .iter()
-            .any(|it| text.contains(it));
+            .any(|part| text.contains(part));
         let refused = refused.fails(if is_usage { 2 } else { 1 }, parts);
         let errors = refused
             .stderr
             .lines()
-            .filter(|it| !it.starts_with("hint: "));
+            .filter(|line| !line.starts_with("hint: "));
         assert_eq!(errors.count(), 1, "{}", refused.stderr);
     }
     let missing = ["draw", &square, "--defaults", "/nowhere/mine.toml"];

@@ -50,7 +50,7 @@ fn draws_every_bundled_drawing(tolerance: &str, dialect: &str) {
         assert!((-0.5..2.0).contains(&late_s), "{file}: {report}");
     }
     let known = ["csv", "dxf", "gcode", "jpg", "json", "lbrn2", "plt", "svg"];
-    assert_eq!(kinds, known.map(|it| Some(it.into())).into());
+    assert_eq!(kinds, known.map(|kind| Some(kind.into())).into());
 }
 
 #[test]
@@ -91,7 +91,7 @@ fn a_dry_run_has_the_duration_of_the_run_itself() {
         let arguments = ["draw", &harbour, "--dialect", dialect, "--json"];
         let estimated = dobot(&[&arguments[..], &["--dry-run"]].concat()).succeeds();
         let made = dobot(&arguments).succeeds();
-        let [estimated, made] = [&estimated, &made].map(|it| report(&it.stdout));
+        let [estimated, made] = [&estimated, &made].map(|outcome| report(&outcome.stdout));
         // Their statuses may come at other moments.
         let apart_s = number(&estimated, "estimated_s") - number(&made, "time_s");
         assert!(apart_s.abs() < 0.17, "{dialect}: {apart_s}");
@@ -139,7 +139,7 @@ fn several_files_and_a_text_are_placed_on_one_sheet() {
     let drawn = |more: &[&str]| report(&dobot(&[&sides[..], more].concat()).succeeds().stdout);
     let ink = |report: &Value| {
         let ink = report["ink_mm"].as_array().expect("it has four numbers");
-        let [x0, y0, x1, y1] = [0, 1, 2, 3].map(|it| ink[it].as_f64().expect("a number"));
+        let [x0, y0, x1, y1] = [0, 1, 2, 3].map(|corner| ink[corner].as_f64().expect("a number"));
         ((y1 - y0).round(), (x1 - x0).round())
     };
     // 80 mm apart on their pages; one job with a pass for each colour.
@@ -147,7 +147,7 @@ fn several_files_and_a_text_are_placed_on_one_sheet() {
     assert_eq!(ink(&pages), (80.0, 20.0));
     assert_eq!(number(&pages, "drawn_mm").round(), 40.0);
     let layers = pages["layers"].as_array().expect("the report lists them");
-    let names: Vec<_> = layers.iter().map(|it| it["name"].as_str()).collect();
+    let names: Vec<_> = layers.iter().map(|layer| layer["name"].as_str()).collect();
     assert_eq!(names, [Some("red"), Some("blue")]);
     assert_eq!(ink(&drawn(&["--grid", "2x1", "--gap", "30"])), (30.0, 20.0));
     // Capitals of 10 mm, 5 mm below the lines.
@@ -173,7 +173,7 @@ fn layers_are_separate_passes() {
         let passes = report["passes"].as_array().expect("a list").clone();
         passes
             .iter()
-            .map(|it| it["name"].as_str().expect("a name").to_owned())
+            .map(|pass| pass["name"].as_str().expect("a name").to_owned())
             .collect()
     };
     assert_eq!(names(&[]), ["orange", "crimson", "navy"]);
@@ -586,7 +586,7 @@ fn a_long_drawing_has_its_dots_in_the_picture_and_its_timeline_without_a_rehears
     let timeline: Value = serde_json::from_str(&timeline).expect("it is JSON");
     let ink = timeline["path"]["ink"].as_array().expect("a column");
     assert_eq!(
-        ink.iter().filter(|it| **it == 2).count(),
+        ink.iter().filter(|mark| **mark == 2).count(),
         2,
         "a line and a dot"
     );
@@ -655,7 +655,7 @@ fn options_without_effect_are_reported() {
 #[test]
 fn the_options_are_grouped() {
     let help = dobot(&["draw", "--help"]).succeeds().stdout;
-    let is_heading = |it: &&str| it.ends_with(':') && !it.starts_with(' ');
+    let is_heading = |line: &&str| line.ends_with(':') && !line.starts_with(' ');
     let headings: Vec<&str> = help.lines().filter(is_heading).collect();
     let groups = ["Source:", "Paper:", "Pen:", "Laser:", "Run:"];
     assert_eq!(
@@ -665,7 +665,7 @@ fn the_options_are_grouped() {
     let group = |name: &str| {
         let begin = help.find(&format!("\n{name}\n")).expect("it is there");
         let group = &help[begin + name.len() + 2..];
-        let end = group.lines().take_while(|it| !is_heading(it));
+        let end = group.lines().take_while(|line| !is_heading(line));
         end.collect::<Vec<_>>().join("\n")
     };
     assert!(!group("Options:").contains("--policy"));

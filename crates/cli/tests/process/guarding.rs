@@ -47,7 +47,7 @@ fn the_watchdog_of_a_killed_station_acts_over_a_virtual_serial_port_too() {
     let mut up = Up::with_arm(&arm, &[]);
     up.dobot(&["confirm", "--yes"]).succeeds();
     let _holder = RunningProcess::new(up.command(&["jog", "base+", "--for", "60"]));
-    up.wait_for_state(|it| it["arm"]["base_deg"].as_f64() > Some(3.0));
+    up.wait_for_state(|state| state["arm"]["base_deg"].as_f64() > Some(3.0));
     up.station.kill();
     let ports = ["up", "--http", "127.0.0.1:0", "--raw", "off"];
     let mut again = RunningProcess::new(up.command(&[&ports[..], &arm].concat()));

@@ -84,8 +84,8 @@ fn a_station_killed_while_burning_first_switches_the_laser_off_and_then_finishes
         // The job is paused from the first moment on; where the arm rests is found out later, and whoever
         // goes on at once waits for that.
         let is_patient = kill != 2;
-        api.wait_for_state(|it| {
-            let job = &it["job"];
+        api.wait_for_state(|state| {
+            let job = &state["job"];
             assert_ne!(job["phase"], "failed", "{job}");
             let reason = job["reason"].as_str().unwrap_or_default();
             let is_found = !is_patient || reason.contains("the arm rests where command");

@@ -164,7 +164,8 @@ fn a_station_reports_why_it_cannot_open_its_port_and_the_remedy() {
         ),
     ] {
         let link = link_of(address);
-        let has = |key: &str, text: &str| link[key].as_str().is_some_and(|it| it.contains(text));
+        let has =
+            |key: &str, text: &str| link[key].as_str().is_some_and(|value| value.contains(text));
         assert_eq!(link["phase"], "searching", "{link}");
         assert_eq!(link["cause"], cause, "{link}");
         assert!(has("problem", problem) && has("remedy", remedy), "{link}");
@@ -296,9 +297,15 @@ fn an_arm_that_goes_silent_during_a_drawing_gets_laser_off_and_no_motion() {
     let (outcome, _, after) = troubled(6, Trouble::Silence);
     outcome.fails(1, &["no valid status for", "dobot jobs start 1 --to tcp:"]);
     // What was permitted already may still have been on its way.
-    let parting: Vec<_> = after.iter().skip_while(|it| vector(it).is_some()).collect();
+    let parting: Vec<_> = after
+        .iter()
+        .skip_while(|command| vector(command).is_some())
+        .collect();
     assert!(!parting.is_empty(), "{after:?}");
-    assert!(parting.iter().all(|it| is_laser_off(it)), "{after:?}");
+    assert!(
+        parting.iter().all(|command| is_laser_off(command)),
+        "{after:?}"
+    );
 }
 
 #[test]

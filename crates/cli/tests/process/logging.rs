@@ -47,13 +47,16 @@ fn the_log_of_a_service_is_a_json_object_a_line_from_its_start_to_its_end() {
 
     let log = stopped_and_ended(station, &folder, errors);
     let events = events(&log);
-    let stop = events.iter().find(|it| it["news"] == "Stopped");
+    let stop = events.iter().find(|event| event["news"] == "Stopped");
     let stop = stop.unwrap_or_else(|| panic!("no stop is logged: {log}"));
     assert_eq!(
         (&stop["level"], &stop["target"]),
         (&"WARN".into(), &"dobot_host::driver::log".into())
     );
-    assert!(events.iter().all(|it| it["level"] != "DEBUG"), "{log}");
+    assert!(
+        events.iter().all(|event| event["level"] != "DEBUG"),
+        "{log}"
+    );
 }
 
 #[test]
@@ -66,7 +69,7 @@ fn a_station_logs_requests_if_asked_to_and_logs_no_notice_twice() {
     assert!(log.contains("DEBUG dobot_station::http"), "{log}");
     assert_eq!(log.matches("Stopped").count(), 1, "{log}");
     let token = std::fs::read_to_string(folder.path().join("tokens.toml")).unwrap_or_default();
-    assert!(token.lines().all(|it| !log.contains(it)), "{log}");
+    assert!(token.lines().all(|line| !log.contains(line)), "{log}");
 }
 
 #[test]

@@ -16,7 +16,7 @@ fn the_tool_has_the_length_of_the_default_policy_unless_specified() {
     let policy = dobot(&["policy"]).succeeds().stdout;
     let line = policy
         .lines()
-        .find(|it| it.starts_with("laser_mm"))
+        .find(|line| line.starts_with("laser_mm"))
         .expect("it is there");
     let laser_mm = length(&["--tool", "laser"]).to_string();
     let laser_mm = laser_mm.trim_end_matches(".0");

@@ -140,9 +140,12 @@ fn without_a_station_a_check_names_the_assumed_arm() {
 fn every_example_has_the_predicted_duration() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples/programs");
     let files = std::fs::read_dir(folder).expect("the examples are there");
-    let files = files.map(|it| it.expect("it can be read").path());
+    let files = files.map(|entry| entry.expect("it can be read").path());
     let mut count = 0;
-    for file in files.filter(|it| it.extension().is_some_and(|it| it == "toml")) {
+    for file in files.filter(|file| {
+        file.extension()
+            .is_some_and(|extension| extension == "toml")
+    }) {
         for dialect in ["specification", "firmware-1.1"] {
             let file = file.to_str().expect("the path is text");
             // A drawing on each sheet would continue until a person ends it.
@@ -223,8 +226,8 @@ fn a_program_is_played_starting_at_one_of_its_steps() {
 /// The numbers of a file of the vendor's program, in their order.
 fn numbers(xml: &str) -> Vec<String> {
     let text = xml.split(['<', '>']).skip(2).step_by(2);
-    text.filter(|it| it.trim().parse::<f64>().is_ok())
-        .map(|it| it.trim().to_owned())
+    text.filter(|part| part.trim().parse::<f64>().is_ok())
+        .map(|part| part.trim().to_owned())
         .collect()
 }
 

@@ -55,9 +55,13 @@ fn verify(file: &Path) {
         eprintln!("not verified: there is no systemd-analyze (Debian package systemd)");
         return;
     };
-    let said = String::from_utf8_lossy(&verified.stderr);
-    let about_it = said.lines().filter(|it| it.contains("dobot"));
-    assert_eq!(about_it.collect::<Vec<_>>(), Vec::<&str>::new(), "{said}");
+    let errors = String::from_utf8_lossy(&verified.stderr);
+    let about_dobot = errors.lines().filter(|line| line.contains("dobot"));
+    assert_eq!(
+        about_dobot.collect::<Vec<_>>(),
+        Vec::<&str>::new(),
+        "{errors}"
+    );
 }
 
 #[test]

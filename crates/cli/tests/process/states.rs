@@ -78,25 +78,27 @@ fn a_vector_burns_only_with_the_laser_armed() {
 
 #[test]
 fn words_are_sent_as_text_to_an_arm_with_voice_support() {
-    let said = Voice::new("left ten").expect("it is ASCII");
-    gets(&["say", "left", "ten"], said);
-    gets(&["say", "left ten"], said);
+    let voice = Voice::new("left ten").expect("it is ASCII");
+    gets(&["say", "left", "ten"], voice);
+    gets(&["say", "left ten"], voice);
 }
 
 #[test]
 fn words_become_a_straight_line_for_a_stock_arm_over_usb() {
     let packets = packets("firmware-1.1", &["say", "up twelve"]);
     // By the specification's reading, MOVL of a stock arm is MOVJ.
-    let is_up = |it: &&Command| match it {
+    let is_up = |command: &&Command| match command {
         Command::MoveTo(MoveTo { z_mm, mode, .. }) => {
             // It rests with both arms at 45 degrees, at -17.68 mm.
             (*z_mm + 17.678 - 12.0).abs() < 0.01 && *mode != MovingMode::Jump
         }
         _ => false,
     };
-    assert!(packets.iter().any(|it| is_up(&it)), "{packets:?}");
+    assert!(packets.iter().any(|command| is_up(&command)), "{packets:?}");
     assert!(
-        !packets.iter().any(|it| matches!(it, Command::Voice(_))),
+        !packets
+            .iter()
+            .any(|command| matches!(command, Command::Voice(_))),
         "{packets:?}"
     );
 }
@@ -122,8 +124,9 @@ fn the_linear_jog_moves_the_axes_common_to_both_jogs() {
             "specification",
             &["jog", button, "--frame", "linear", "--for", "1"],
         );
-        let is_it = |it: &Command| matches!(it, Command::LinearJog(jog) if jog.axis == axis);
-        assert!(packets.iter().any(is_it), "{button}: {packets:?}");
+        let is_match =
+            |command: &Command| matches!(command, Command::LinearJog(jog) if jog.axis == axis);
+        assert!(packets.iter().any(is_match), "{button}: {packets:?}");
     }
 }
 
@@ -136,11 +139,11 @@ fn a_laser_switched_on_by_the_linear_jog_is_switched_off_again() {
     let policy = policy.to_str().expect("the path is text");
     let allowed = ["--arm-laser", "60", "--policy", policy];
     let packets = packets("specification", &[&verb[..], &allowed].concat());
-    let on = packets
-        .iter()
-        .position(|it| matches!(it, Command::LinearJog(jog) if jog.axis == LinearJogAxis::LaserOn));
+    let on = packets.iter().position(
+        |command| matches!(command, Command::LinearJog(jog) if jog.axis == LinearJogAxis::LaserOn),
+    );
     let on = on.unwrap_or_else(|| panic!("the laser was never on: {packets:?}"));
-    let is_off = |it: &Command| match it {
+    let is_off = |command: &Command| match command {
         Command::LinearJog(jog) => jog.axis == LinearJogAxis::LaserOff,
         Command::JointJog(jog) => jog.axis == JointJogAxis::LaserOff,
         _ => false,

@@ -65,7 +65,7 @@ fn a_jog_through_the_station_moves_and_comes_to_rest() {
     let up = Up::new(&[]);
     let before = up.json(&["status", "--count", "1"]);
     let after = up.json(&["jog", "base+", "--for", "0.5"]);
-    let turned = |it: &Value| it["base_deg"].as_f64().expect("a number");
+    let turned = |status: &Value| status["base_deg"].as_f64().expect("a number");
     assert!(turned(&after) > turned(&before) + 0.5, "{after}");
     let later = up.json(&["status", "--count", "1"]);
     assert!(near(&later["base_deg"], turned(&after)), "{after} {later}");
@@ -189,7 +189,7 @@ fn jobs_are_moved_queued_again_and_deleted_by_verbs() {
     let listed = || -> Vec<u64> {
         let jobs = up.json(&["jobs"]);
         let jobs = jobs.as_array().expect("a list").iter();
-        jobs.map(|it| it["job"].as_u64().expect("a number"))
+        jobs.map(|job| job["job"].as_u64().expect("a number"))
             .collect()
     };
     up.dobot(&["jobs", "move", "2", "--before", "1"]).succeeds();
@@ -235,7 +235,7 @@ fn a_refused_drawing_leaves_no_job() {
     up.dobot(&draw).fails(1, &["smoke"]);
     let jobs = up.json(&["jobs"]);
     let jobs = jobs.as_array().expect("a list");
-    assert!(jobs.iter().all(|it| it["phase"] == "stopped"), "{jobs:?}");
+    assert!(jobs.iter().all(|job| job["phase"] == "stopped"), "{jobs:?}");
     up.dobot(&["stop", "--reset"]).succeeds();
     up.dobot(&draw).succeeds();
 }
@@ -419,12 +419,12 @@ fn a_stop_and_its_reason_hold_at_the_next_start() {
     up.dobot(&["stop", "--reason", "finger caught"]).succeeds();
     let kept = up.folder.path().join("stop.toml");
     // Another thread saves it, after the packets.
-    while !std::fs::read_to_string(&kept).is_ok_and(|it| it.contains("finger caught")) {
+    while !std::fs::read_to_string(&kept).is_ok_and(|text| text.contains("finger caught")) {
         std::thread::yield_now();
     }
     up.station.kill();
     let again = up.again();
-    let stop = again.wait_for_state(|it| it["stop"]["at_rest"] == true);
+    let stop = again.wait_for_state(|state| state["stop"]["at_rest"] == true);
     assert_eq!(stop["stop"]["reason"], "finger caught", "{stop}");
     let draw = ["draw", &example("square.svg"), "--pen-down", "-40"];
     again.dobot(&draw).fails(1, &["finger caught"]);
@@ -432,7 +432,7 @@ fn a_stop_and_its_reason_hold_at_the_next_start() {
     let mut again = again;
     again.station.kill();
     let last = again.again();
-    let state = last.wait_for_state(|it| it["arm"].is_object());
+    let state = last.wait_for_state(|state| state["arm"].is_object());
     assert_eq!(state["stop"], Value::Null, "{state}");
 }
 

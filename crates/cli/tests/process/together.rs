@@ -17,7 +17,7 @@ fn rehearsed(file: &str) -> Value {
 
 fn names(plan: &Value) -> Vec<&str> {
     let barriers = plan["barriers"].as_array().expect("there are barriers");
-    let names = barriers.iter().map(|it| it["barrier"].as_str());
+    let names = barriers.iter().map(|barrier| barrier["barrier"].as_str());
     names.collect::<Option<_>>().expect("each has a name")
 }
 
@@ -28,10 +28,13 @@ fn the_examples_meet_at_their_barriers_in_order_and_finish() {
     assert_eq!(names(&cube), once.repeat(3));
     let pens = rehearsed("pens.toml");
     assert_eq!(names(&pens), ["black is done", "red is done"]);
-    for part in [&cube, &pens].map(|it| &it["parts"]) {
+    for part in [&cube, &pens].map(|plan| &plan["parts"]) {
         let parts = part.as_array().expect("there are parts");
-        let over_s = parts.iter().map(|it| it["over_s"].as_f64());
-        assert!(over_s.into_iter().all(|it| it > Some(1.0)), "{parts:?}");
+        let over_s = parts.iter().map(|part| part["over_s"].as_f64());
+        assert!(
+            over_s.into_iter().all(|time_s| time_s > Some(1.0)),
+            "{parts:?}"
+        );
     }
     // The last pen waits for the other two.
     let waited_s = |part: usize| pens["parts"][part]["waited_s"].as_f64();
@@ -53,8 +56,8 @@ fn a_deadlock_of_arms_is_reported_before_anything_is_rehearsed() {
         let text = format!("title = \"{name}\"\n{go}{}{}", step(first), step(second));
         write(&format!("{name}.toml"), text);
     }
-    let parts =
-        ["one", "two"].map(|it| format!("[[parts]]\narm = \"{it}\"\nprogram = \"{it}.toml\"\n"));
+    let parts = ["one", "two"]
+        .map(|name| format!("[[parts]]\narm = \"{name}\"\nprogram = \"{name}.toml\"\n"));
     write("both.toml", format!("title = \"both\"\n{}", parts.concat()));
     let file = folder.path().join("both.toml");
     let file = file.to_str().expect("the path is text");

@@ -175,13 +175,13 @@ const TOO_EARLY: u32 = 200;
 
 /// Where the tip truly is.
 fn tip(status: &Status) -> [f64; 3] {
-    let told = Joints::new(
+    let reported = Joints::new(
         status.base_deg.into(),
         status.rear_deg.into(),
         status.fore_deg.into(),
         0.0,
     );
-    let at = ZEROS.true_place_of(&told, Tool::SuctionCup);
+    let at = ZEROS.true_place_of(&reported, Tool::SuctionCup);
     [at.x.0, at.y.0, at.z.0]
 }
 
@@ -288,7 +288,9 @@ fn an_arm_calibrated_by_the_api_alone_draws_the_harbour_at_its_place() {
     api.asks("POST", &format!("jobs/{job}/start"), &json!({}));
     // A state from before the start does not include the job.
     let jobs = || api.asks("GET", "jobs", &Value::Null);
-    api.wait_for_state(|it| it["job"]["phase"] != "running" && jobs()[0]["phase"] != "running");
+    api.wait_for_state(|state| {
+        state["job"]["phase"] != "running" && jobs()[0]["phase"] != "running"
+    });
     let jobs = jobs();
     assert_eq!(jobs[0]["phase"], "done", "{jobs}");
     let after = deviation(&wanted(), &arm.ink()[marks..]);
@@ -314,13 +316,14 @@ fn wanted() -> Vec<Stroke> {
     let exported = fs::read_to_string(&export).expect("it was written");
     let strokes = strokes(&read_json(&exported)["strokes"], "points");
     let page = bounds_of_strokes(&strokes);
-    let [far_mm, left_mm] = [2, 3].map(|it| report["ink_mm"][it].as_f64().expect("a number"));
-    let placed = |it: &Point| Point::new(far_mm - (it.y - page.y0), left_mm - (it.x - page.x0));
+    let [far_mm, left_mm] = [2, 3].map(|side| report["ink_mm"][side].as_f64().expect("a number"));
+    let placed =
+        |point: &Point| Point::new(far_mm - (point.y - page.y0), left_mm - (point.x - page.x0));
     strokes
         .into_iter()
-        .map(|it| Stroke {
-            points: it.points.iter().map(placed).collect(),
-            ..it
+        .map(|stroke| Stroke {
+            points: stroke.points.iter().map(placed).collect(),
+            ..stroke
         })
         .collect()
 }
@@ -360,11 +363,11 @@ impl DrawingArm {
 }
 
 fn strokes(all: &Value, points: &str) -> Vec<Stroke> {
-    let number = |it: &Value| it.as_f64().expect("a number");
-    let point = |it: &Value| Point::new(number(&it[0]), number(&it[1]));
+    let number = |value: &Value| value.as_f64().expect("a number");
+    let point = |pair: &Value| Point::new(number(&pair[0]), number(&pair[1]));
     let all = all.as_array().expect("strokes").iter();
-    all.map(|it| Stroke {
-        points: it[points]
+    all.map(|stroke| Stroke {
+        points: stroke[points]
             .as_array()
             .expect("points")
             .iter()

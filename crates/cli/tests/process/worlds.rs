@@ -12,7 +12,7 @@ use crate::support::running_process::{RunningProcess, line_with};
 /// `dobot arm --world` as a separate process; it ends with the test.
 struct Inhabited {
     _served: RunningProcess,
-    told: BufReader<ChildStderr>,
+    errors: BufReader<ChildStderr>,
     /// The addresses of the arm and of its world.
     arm: String,
     world: String,
@@ -22,11 +22,12 @@ impl Inhabited {
     fn new(scene: &str) -> Self {
         let ports = ["--tcp", "127.0.0.1:0", "--world-port", "127.0.0.1:0"];
         let arm = ["arm", "--time-factor", FAST, "--world", scene];
-        let (mut served, told) = RunningProcess::with_errors(command(&[&arm[..], &ports].concat()));
+        let (mut served, errors) =
+            RunningProcess::with_errors(command(&[&arm[..], &ports].concat()));
         let (arm, world) = (served.address(), served.address());
         Self {
             _served: served,
-            told,
+            errors,
             arm,
             world,
         }
@@ -50,7 +51,7 @@ impl Inhabited {
 
     /// Waits for its first report.
     fn wait_for(&mut self, part: &str) {
-        line_with(part, &mut self.told);
+        line_with(part, &mut self.errors);
     }
 }
 
@@ -80,13 +81,13 @@ fn a_drawing_over_tcp_is_ink_in_the_world_and_in_its_picture() {
     let svg = std::fs::read_to_string(picture).expect("it was written");
     let [x, y] = [0, 1].map(|i| strokes[0]["points_mm"][0][i].as_f64().expect("a number"));
     // Above is X, left is Y.
-    let mut begins = svg.split('M').filter_map(|it| {
-        let (x, rest) = it.split_once(' ')?;
+    let mut begins = svg.split('M').filter_map(|path| {
+        let (x, rest) = path.split_once(' ')?;
         let (y, _) = rest.split_once('L')?;
         Some([x.parse::<f64>().ok()?, y.parse::<f64>().ok()?])
     });
     assert!(
-        begins.any(|it| (it[0] + y).abs() < 0.01 && (it[1] + x).abs() < 0.01),
+        begins.any(|point| (point[0] + y).abs() < 0.01 && (point[1] + x).abs() < 0.01),
         "no ink from x {x} y {y}"
     );
 }

@@ -35,7 +35,7 @@ impl Api {
     }
 
     /// Waits for a state that matches, and returns it.
-    pub(crate) fn wait_for_state(&self, is_it: impl Fn(&Value) -> bool) -> Value {
+    pub(crate) fn wait_for_state(&self, is_match: impl Fn(&Value) -> bool) -> Value {
         let Self { address, .. } = self;
         let mut way = self.connect();
         write!(
@@ -46,10 +46,10 @@ impl Api {
         let until = Instant::now() + PATIENCE;
         let lines = BufReader::new(way).lines().map_while(Result::ok);
         let lines = lines.take_while(|_| Instant::now() < until);
-        let data = lines.filter_map(|it| it.strip_prefix("data:").map(read_json));
-        let mut states = data.filter_map(|mut it| it.get_mut("state").map(Value::take));
+        let data = lines.filter_map(|line| line.strip_prefix("data:").map(read_json));
+        let mut states = data.filter_map(|mut message| message.get_mut("state").map(Value::take));
         states
-            .find(is_it)
+            .find(is_match)
             .expect("the station reports a matching state")
     }
 

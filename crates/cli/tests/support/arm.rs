@@ -53,8 +53,8 @@ impl WiredArm {
     /// The commands that the arm got, when the program that sent them has ended.
     pub(crate) fn got(&self) -> Vec<Command> {
         let all = iter::repeat_with(|| self.next());
-        let until_closed = all.take_while(|it| !matches!(it, Passed::Closed));
-        let of_arm = |it| match it {
+        let until_closed = all.take_while(|passed| !matches!(passed, Passed::Closed));
+        let of_arm = |passed| match passed {
             Passed::ToArm(_, command) => Some(command),
             _ => None,
         };

@@ -29,12 +29,12 @@ impl Bench {
     }
 
     /// Waits for a command to the arm.
-    pub(crate) fn gets(&self, mut is_it: impl FnMut(&Command) -> bool) -> Command {
+    pub(crate) fn gets(&self, mut is_match: impl FnMut(&Command) -> bool) -> Command {
         let until = Instant::now() + PATIENCE;
         loop {
             assert!(Instant::now() < until, "the arm does not get the command");
             if let Passed::ToArm(_, command) = self.arm.next()
-                && is_it(&command)
+                && is_match(&command)
             {
                 return command;
             }
@@ -42,7 +42,7 @@ impl Bench {
     }
 
     pub(crate) fn gets_jog(&self, axis: LinearJogAxis) {
-        self.gets(|it| is_jog(it, axis));
+        self.gets(|command| is_jog(command, axis));
     }
 
     /// Presses the arrow until the arm jogs by it: one press is over before an arm that runs down rests.
@@ -57,7 +57,7 @@ impl Bench {
             while statuses < 4 {
                 match self.arm.next() {
                     Passed::FromArm(..) => statuses += 1,
-                    Passed::ToArm(_, it) if is_jog(&it, axis) => return,
+                    Passed::ToArm(_, command) if is_jog(&command, axis) => return,
                     _ => {}
                 }
             }

@@ -45,5 +45,5 @@ fn vector([x_mm, y_mm, z_mm]: [f32; 3], laser: bool) -> Command {
 }
 
 pub(crate) fn burns(command: &Command) -> bool {
-    matches!(command, Command::WriteVector(it) if it.laser)
+    matches!(command, Command::WriteVector(vector) if vector.laser)
 }

@@ -70,9 +70,9 @@ impl Terminal {
             .spawn()
             .expect("the program starts");
         let keys = File::from(master);
-        let (tell, shown) = mpsc::channel();
+        let (sender, shown) = mpsc::channel();
         let screen = keys.try_clone().expect("a handle");
-        thread::spawn(move || show(screen, keyboard, |text| tell.send(text).is_ok()));
+        thread::spawn(move || show(screen, keyboard, |text| sender.send(text).is_ok()));
         Self {
             child,
             keys,
@@ -193,7 +193,7 @@ fn alone(command: &Command) -> Command {
 }
 
 /// Reads the screen, and answers queries to the terminal.
-fn show(mut screen: File, keyboard: Keyboard, mut tell: impl FnMut(String) -> bool) {
+fn show(mut screen: File, keyboard: Keyboard, mut pass: impl FnMut(String) -> bool) {
     let mut bytes = [0; 4096];
     // The read fails when the program is gone.
     while let Ok(read @ 1..) = screen.read(&mut bytes) {
@@ -206,7 +206,7 @@ fn show(mut screen: File, keyboard: Keyboard, mut tell: impl FnMut(String) -> bo
             let answer = format!("{flags}\x1b[?62c");
             screen.write_all(answer.as_bytes()).expect("it is open");
         }
-        if !tell(text) {
+        if !pass(text) {
             break;
         }
     }

@@ -48,7 +48,9 @@ impl Up {
         let arguments = [&["up"], arm, &ports[..], arguments].concat();
         let mut station = RunningProcess::new(command_at(folder.path(), &arguments));
         let word = |line: String| {
-            let word = line.split_whitespace().find(|it| it.contains("127.0.0.1"));
+            let word = line
+                .split_whitespace()
+                .find(|part| part.contains("127.0.0.1"));
             word.expect("an address").to_owned()
         };
         let page = word(station.wait_for_line("  page"));
@@ -76,13 +78,13 @@ impl Up {
     }
 
     /// Waits until the station reports a matching state.
-    pub(crate) fn wait_for_state(&self, is_it: impl Fn(&Value) -> bool) -> Value {
-        Api::new(&self.page).wait_for_state(is_it)
+    pub(crate) fn wait_for_state(&self, is_match: impl Fn(&Value) -> bool) -> Value {
+        Api::new(&self.page).wait_for_state(is_match)
     }
 
     /// Waits until a job runs.
     pub(crate) fn runs_a_job(&self) {
-        self.wait_for_state(|it| it["job"]["phase"] == "running");
+        self.wait_for_state(|state| state["job"]["phase"] == "running");
     }
 
     /// The file with its address.

@@ -23,23 +23,23 @@ pub(crate) enum Passed {
 pub(crate) fn wire(arm: SocketAddr) -> (SocketAddr, Receiver<Passed>) {
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let address = listener.local_addr().expect("it has an address");
-    let (tell, passed) = mpsc::channel();
+    let (sender, passed) = mpsc::channel();
     thread::spawn(move || {
         for station in listener.incoming() {
             let station = station.expect("it comes");
             let arm = TcpStream::connect(arm).expect("the arm is there");
-            tell_all(&tell, [Passed::Opened]);
+            send_all(&sender, [Passed::Opened]);
             let (from, to) = (arm.try_clone(), station.try_clone());
             let (from, to) = (from.expect("a handle"), to.expect("a handle"));
-            let (told, back) = (tell.clone(), tell.clone());
+            let (forward, back) = (sender.clone(), sender.clone());
             thread::spawn(move || {
                 let mut decoder = Decoder::statuses(|_| true);
                 copy(from, to, |bytes| {
                     let frames = decoder.feed(bytes);
-                    let statuses = frames.filter_map(|it| Status::parse(&it).ok());
-                    tell_all(
+                    let statuses = frames.filter_map(|frame| Status::parse(&frame).ok());
+                    send_all(
                         &back,
-                        statuses.map(|it| Passed::FromArm(Instant::now(), it)),
+                        statuses.map(|status| Passed::FromArm(Instant::now(), status)),
                     );
                 });
             });
@@ -47,21 +47,24 @@ pub(crate) fn wire(arm: SocketAddr) -> (SocketAddr, Receiver<Passed>) {
                 let mut decoder = Decoder::commands();
                 copy(station, arm, |bytes| {
                     let packets = decoder.feed(bytes);
-                    let parse = |it| Command::parse(&it, &Dialect::SPECIFICATION).ok();
+                    let parse = |packet| Command::parse(&packet, &Dialect::SPECIFICATION).ok();
                     let commands = packets.filter_map(parse);
-                    tell_all(&told, commands.map(|it| Passed::ToArm(Instant::now(), it)));
+                    send_all(
+                        &forward,
+                        commands.map(|command| Passed::ToArm(Instant::now(), command)),
+                    );
                 });
-                tell_all(&told, [Passed::Closed]);
+                send_all(&forward, [Passed::Closed]);
             });
         }
     });
     (address, passed)
 }
 
-fn tell_all(tell: &Sender<Passed>, all: impl IntoIterator<Item = Passed>) {
-    for it in all {
+fn send_all(sender: &Sender<Passed>, all: impl IntoIterator<Item = Passed>) {
+    for passed in all {
         // A finished test no longer listens.
-        let _ = tell.send(it);
+        let _ = sender.send(passed);
     }
 }
 

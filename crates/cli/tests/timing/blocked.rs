@@ -26,7 +26,7 @@ fn station(bench: &Bench, format: &str) -> (RunningProcess, PipeReader, String) 
         let text = std::fs::read_to_string(&file).unwrap_or_default();
         if let Some(address) = text
             .strip_prefix("address = \"")
-            .and_then(|it| it.split('"').next())
+            .and_then(|rest| rest.split('"').next())
         {
             break address.to_owned();
         }

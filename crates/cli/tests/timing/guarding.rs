@@ -59,8 +59,8 @@ impl Bench {
 
     pub(crate) fn wait_for_jog(&self) {
         let moves = |command: &Command| match command {
-            Command::JointJog(it) => it.axis.moves(),
-            Command::LinearJog(it) => it.axis.moves(),
+            Command::JointJog(jog) => jog.axis.moves(),
+            Command::LinearJog(jog) => jog.axis.moves(),
             _ => false,
         };
         while !moves(&self.command().1) {}
@@ -109,15 +109,16 @@ impl Bench {
     #[track_caller]
     pub(crate) fn check_words(&self, at: Instant, release: Command) {
         let (commands, rests) = self.until_at_rest();
-        let said: Vec<_> = commands.iter().filter(|it| it.0 >= at).collect();
-        let times = |wanted| said.iter().filter(|it| it.1 == wanted).count();
-        assert!(times(release) >= 3, "{said:?}");
-        assert!(times(LASER_OFF) >= 3, "{said:?}");
+        let sent: Vec<_> = commands.iter().filter(|packet| packet.0 >= at).collect();
+        let times = |wanted| sent.iter().filter(|packet| packet.1 == wanted).count();
+        assert!(times(release) >= 3, "{sent:?}");
+        assert!(times(LASER_OFF) >= 3, "{sent:?}");
         assert!(
-            said.iter().all(|it| [release, LASER_OFF].contains(&it.1)),
-            "{said:?}"
+            sent.iter()
+                .all(|packet| [release, LASER_OFF].contains(&packet.1)),
+            "{sent:?}"
         );
-        let after = said[0].0.saturating_duration_since(at);
+        let after = sent[0].0.saturating_duration_since(at);
         assert!(after <= Duration::from_millis(400), "{after:?}");
         // The run-down, and a status on its way.
         let rested = rests.saturating_duration_since(at);
@@ -161,8 +162,8 @@ fn children(of: rustix::process::Pid) -> Vec<rustix::process::Pid> {
         let number = entry.file_name().to_str()?.parse().ok()?;
         // NUMBER (NAME) STATE PARENT ...
         let stat = std::fs::read_to_string(entry.path().join("stat")).ok()?;
-        let (_, behind) = stat.rsplit_once(')')?;
-        let is_child = behind.split_whitespace().nth(1) == Some(&parent);
+        let (_, rest) = stat.rsplit_once(')')?;
+        let is_child = rest.split_whitespace().nth(1) == Some(&parent);
         is_child.then(|| rustix::process::Pid::from_raw(number))?
     };
     all.flatten().filter_map(child).collect()
@@ -210,12 +211,12 @@ fn a_laser_whose_station_is_killed_or_frozen_is_off_within_two_fifths_of_a_secon
         let at = Instant::now();
         signal(&station, how);
         let (commands, _) = bench.until_at_rest();
-        let mut after = commands.iter().filter(|it| it.0 > at);
+        let mut after = commands.iter().filter(|packet| packet.0 > at);
         // What the station had sent before may still be on the wire.
-        let first = after.find(|it| !matches!(it.1, Command::WriteVector(_)));
-        let (said, first) = first.expect("the watchdog speaks");
+        let first = after.find(|packet| !matches!(packet.1, Command::WriteVector(_)));
+        let (sent, first) = first.expect("the watchdog speaks");
         assert_eq!(*first, LASER_OFF, "{how:?}");
-        let within = said.saturating_duration_since(at);
+        let within = sent.saturating_duration_since(at);
         assert!(within <= Duration::from_millis(400), "{how:?}: {within:?}");
     }
 }
@@ -271,8 +272,8 @@ fn a_silent_listener_in_place_of_a_station_does_not_keep_the_laser_on() {
     std::fs::write(bench.folder().join("station.toml"), file).expect("there is room");
     let at = Instant::now();
     let _station = RunningProcess::new(bench.up(&[]));
-    let (said, first) = bench.command();
+    let (sent, first) = bench.command();
     assert_eq!(first, LASER_OFF);
-    let after = said.saturating_duration_since(at);
+    let after = sent.saturating_duration_since(at);
     assert!(after < Duration::from_secs(3), "{after:?}");
 }

@@ -31,10 +31,10 @@ fn a_system_that_shuts_down_in_a_drawing_leaves_the_pen_up_and_the_laser_off() {
 const FINELINER_LIFT_MM: f32 = 5.0;
 
 /// The vector that is drawn comes to its end, the pen goes up, and the last word is laser off.
-fn parts(trouble: Trouble, told: &[&str]) {
+fn parts(trouble: Trouble, expected: &[&str]) {
     // Travel, lower, and four vectors with the pen down.
     let (outcome, before, after) = troubled(6, trouble);
-    let outcome = outcome.fails(1, told);
+    let outcome = outcome.fails(1, expected);
     assert!(
         after.last().is_some_and(is_laser_off),
         "{after:?} {outcome:?}"
@@ -42,8 +42,8 @@ fn parts(trouble: Trouble, told: &[&str]) {
     let vectors: Vec<&WriteVector> = after.iter().filter_map(vector).collect();
     let (lift, rest) = vectors.split_last().expect("the pen is lifted");
     let z_mm = |vectors: &mut dyn Iterator<Item = f32>| vectors.sum::<f32>();
-    let sent_down = z_mm(&mut before.iter().filter_map(vector).map(|it| it.z_mm))
-        + z_mm(&mut rest.iter().map(|it| it.z_mm));
+    let sent_down = z_mm(&mut before.iter().filter_map(vector).map(|stroke| stroke.z_mm))
+        + z_mm(&mut rest.iter().map(|stroke| stroke.z_mm));
     assert!(
         (sent_down + FINELINER_LIFT_MM).abs() < 1e-3,
         "the pen was down: {sent_down}"

@@ -7,7 +7,7 @@ use dobot_wire::{Frame, PACKET_LEN, Status};
 use crate::checks::link::hindrance;
 use crate::checks::settings::{reach_of, show_tool, tool_frame};
 use crate::hindrance::Hindrance;
-use crate::latency::{Latency, MOST};
+use crate::latency::{Latency, MAX_LATENCY};
 use crate::observed_motion::PERIOD_S;
 use crate::outcome::Outcome;
 use crate::packet::jog;
@@ -35,11 +35,11 @@ pub(crate) async fn measure(rig: &mut Rig) -> Result<Outcome, CheckError> {
     for sign in [VisibleChange::Tool, VisibleChange::Pump] {
         lost = 0;
         sign_used = sign;
-        while answers.len() < ANSWERS && lost < MOST_LOST {
+        while answers.len() < ANSWERS && lost < MAX_LOST {
             let phase = u64::try_from(answers.len()).unwrap_or_default() * PHASE_MS;
             let changes = answers.len() % 2 == 0;
             // Once it is known, an answer that takes a second more will not come.
-            let patience = answers.last().map_or(ANSWER, |it| *it + MOST);
+            let patience = answers.last().map_or(ANSWER, |it| *it + MAX_LATENCY);
             match answer(rig, sign, changes, phase, patience).await? {
                 Some(answer) => answers.push(answer),
                 None => lost += 1,
@@ -55,7 +55,7 @@ pub(crate) async fn measure(rig: &mut Rig) -> Result<Outcome, CheckError> {
     show_tool(rig, true).await?;
     let latency = Latency::of(&answers, jitter(&rig.seen)).ok_or(CheckError::Unanswered)?;
     rig.latency = Some(latency);
-    if latency.most > MOST {
+    if latency.most > MAX_LATENCY {
         return Ok(forbidden(rig, Hindrance::Slow(latency.most)));
     }
     rig.settled().await?;
@@ -137,6 +137,6 @@ fn forbidden(rig: &mut Rig, why: Hindrance) -> Outcome {
 const ANSWERS: usize = 6;
 /// What is sent at six times between two statuses meets one of them soon.
 const PHASE_MS: u64 = 13;
-const MOST_LOST: usize = 3;
+const MAX_LOST: usize = 3;
 const PUMP_ON: f32 = 9.0;
 const PUMP_OFF: f32 = 10.0;

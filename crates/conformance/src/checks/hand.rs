@@ -47,9 +47,9 @@ pub(crate) async fn mouse(rig: &mut Rig) -> Result<Outcome, CheckError> {
         Some(_) => home.servo_deg,
         None => return Ok(undecided()),
     };
-    if home.z_mm < LEAST_Z_MM {
+    if home.z_mm < MIN_Z_MM {
         return Ok(Outcome::NotTried(format!(
-            "a stock arm would rise to -30 mm at once: put it above {LEAST_Z_MM:.0} mm"
+            "a stock arm would rise to -30 mm at once: put it above {MIN_Z_MM:.0} mm"
         )));
     }
     let [y, x, z] = [4.0, 3.0, 5.0];
@@ -109,4 +109,4 @@ fn undecided() -> Outcome {
 
 const NEAR_MM: f64 = 0.05;
 /// A stock arm keeps a mouse above -30 mm.
-const LEAST_Z_MM: f32 = -28.0;
+const MIN_Z_MM: f32 = -28.0;

@@ -61,7 +61,7 @@ pub(crate) async fn whole(rig: &mut Rig) -> Result<Outcome, CheckError> {
 /// A turn from this angle that takes whole ticks, or a trifle less, and one more in single precision:
 /// the ticks, and where it leads.
 fn turn(from_deg: f32) -> Option<(u8, f32)> {
-    (LEAST_TICKS..=MOST_TICKS).find_map(|ticks| {
+    (MIN_TICKS..=MAX_TICKS).find_map(|ticks| {
         let time_s = f64::from(ticks) * TICK_S;
         let (speed, acceleration) = (f64::from(SPEED), f64::from(ACCELERATION));
         let way = speed * (time_s - speed / acceleration);
@@ -128,8 +128,8 @@ const ACCELERATION: f32 = 12.5;
 /// Note N20.
 const TICKS_OF_STATUS: f64 = 4.0;
 /// Turns of 0.7 to 1.5 degrees.
-const LEAST_TICKS: u8 = 24;
-const MOST_TICKS: u8 = 40;
+const MIN_TICKS: u8 = 24;
+const MAX_TICKS: u8 = 40;
 /// What counts as whole ticks.
 const EXACT_S: f64 = 1e-9;
 /// A stock arm moves in steps: its first few say less of when it began.

@@ -159,8 +159,8 @@ fn after(passes: Vec<Pass>, mut strokes: usize, mut drawn_mm: f64) -> Vec<Pass> 
 /// repetitions.
 fn rest_of_pass(pass: &Pass, drawn: usize, drawn_mm: f64) -> Vec<Pass> {
     let (count, times) = (pass.strokes.len(), pass.tool.times());
-    let goes_on = matches!(pass.tool, DrawingTool::Laser(laser) if laser.by_stroke);
-    let (first, done) = if goes_on {
+    let by_stroke = matches!(pass.tool, DrawingTool::Laser(laser) if laser.by_stroke);
+    let (first, done) = if by_stroke {
         (drawn / times as usize, drawn % times as usize)
     } else {
         (drawn % count, drawn / count)
@@ -173,9 +173,9 @@ fn rest_of_pass(pass: &Pass, drawn: usize, drawn_mm: f64) -> Vec<Pass> {
     } else {
         to_come[0].clone()
     };
-    let parts = if goes_on && done == 0 && !begun {
+    let parts = if by_stroke && done == 0 && !begun {
         vec![(to_come.to_vec(), times)]
-    } else if goes_on {
+    } else if by_stroke {
         let again = left - u32::from(begun);
         vec![
             (vec![rest], u32::from(begun)),

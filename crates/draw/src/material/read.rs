@@ -169,8 +169,8 @@ impl<'a> Table<'a> {
             Some(_) => None,
         };
         match passes {
-            Some(1..=MOST_PASSES) => Ok(passes),
-            _ => Err(self.kind("passes", &format!("a whole number from 1 to {MOST_PASSES}"))),
+            Some(1..=MAX_PASSES) => Ok(passes),
+            _ => Err(self.kind("passes", &format!("a whole number from 1 to {MAX_PASSES}"))),
         }
     }
 
@@ -274,7 +274,7 @@ const LIFT: Range = Range(0.1, 100.0, "mm");
 const TOUCH: Range = Range(0.0, 20.0, "mm");
 const SPACING: Range = Range(0.05, 20.0, "mm");
 const SPACING_MM: f64 = 0.5;
-const MOST_PASSES: u32 = 100;
+const MAX_PASSES: u32 = 100;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

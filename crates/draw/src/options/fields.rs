@@ -145,7 +145,7 @@ impl Options {
             renamed.push_str(&rest[..start]);
             rest = &rest[start..];
             let end = rest.find(|letter| !is_part(letter));
-            let (word, behind) = rest.split_at(end.unwrap_or(rest.len()));
+            let (word, after) = rest.split_at(end.unwrap_or(rest.len()));
             // A full stop after the field ends the sentence.
             let bare = word.trim_end_matches('.');
             match field(bare) {
@@ -155,7 +155,7 @@ impl Options {
                 }
                 None => renamed.push_str(word),
             }
-            rest = behind;
+            rest = after;
         }
         renamed.push_str(rest);
         renamed

@@ -65,7 +65,7 @@ impl<'a> Page<'a> {
         let [width_mm, height_mm] = match sheet {
             Some(sheet) => [sheet.size.width_mm, sheet.size.height_mm],
             // A page without height would not be displayed.
-            None => [ink.height(), ink.width()].map(|mm| mm.max(LEAST_PAGE_MM)),
+            None => [ink.height(), ink.width()].map(|mm| mm.max(MIN_PAGE_MM)),
         };
         Self {
             sheet,
@@ -90,7 +90,7 @@ impl<'a> Page<'a> {
     }
 }
 
-const LEAST_PAGE_MM: f64 = 1.0;
+const MIN_PAGE_MM: f64 = 1.0;
 const ALMOST_WHITE: u8 = 230;
 
 /// Millimetres with at most three decimals.

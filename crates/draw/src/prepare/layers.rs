@@ -1,7 +1,7 @@
 //! The layers to draw, their tools and their order.
 
 use dobot_import::{Layer, Warning};
-use dobot_plan::{DrawingTool, LEAST_BURN_MM_S, Pass, Plan, SlowBurning};
+use dobot_plan::{DrawingTool, MIN_BURN_MM_S, Pass, Plan, SlowBurning};
 
 use super::passes::counted;
 use super::{PrepareError, Settings};
@@ -143,7 +143,7 @@ pub(super) fn slow_burning(plan: &Plan) -> Vec<Warning> {
             even_mm_s,
         } = plan.slow_burning(pass)?;
         let asked_mm_s = pass.tool.speed_mm_s();
-        let even = if even_mm_s < LEAST_BURN_MM_S.into() {
+        let even = if even_mm_s < MIN_BURN_MM_S.into() {
             String::new()
         } else {
             format!("; at {even_mm_s:.1} mm/s nearly all of it is even")

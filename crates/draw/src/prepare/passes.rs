@@ -6,7 +6,7 @@ use dobot_import::{Layer, Warning};
 use dobot_plan::{DrawingTool, Pass};
 
 use super::layers;
-use super::{MOST_REACH_MM, PrepareError, Settings, beside_mm};
+use super::{MAX_REACH_MM, PrepareError, Settings, beside_mm};
 use crate::arm::calibrated::raw_strokes;
 use crate::layout::clip::{Clipped, clip_to_reach};
 use crate::layout::place::PlaceError;
@@ -228,7 +228,7 @@ impl Lines {
         };
         let beside_mm = beside_mm(tool, settings);
         let is_in = |p| around(p, beside_mm).into_iter().all(&reaches);
-        let farthest_mm = f64::from(MOST_REACH_MM);
+        let farthest_mm = f64::from(MAX_REACH_MM);
         let within =
             Rect::from_origin_size(Point::ORIGIN, (0.0, 0.0)).inflate(farthest_mm, farthest_mm);
         self.clipped("layer out of reach", within, is_in, warnings)

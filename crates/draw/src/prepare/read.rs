@@ -39,7 +39,7 @@ pub(super) fn read(
         .iter()
         .all(|reading| reading.source.source.is_same_at_any_size());
     let mut placed = place(&mut readings, for_good)?;
-    let most_reads = if for_good { 0 } else { MOST_READS };
+    let most_reads = if for_good { 0 } else { MAX_READS };
     for _ in 0..most_reads {
         let mut is_as_thought = true;
         for reading in &mut readings {
@@ -163,7 +163,7 @@ fn read_coarsely(
 }
 
 /// Once for the page of a picture, and once more if its ink is much smaller.
-const MOST_READS: u32 = 2;
+const MAX_READS: u32 = 2;
 /// The coarsest accuracy: a file with too many corners even then would have too many on the paper.
 const COARSEST_MM: f64 = 100.0;
 const COARSER: f64 = 30.0;

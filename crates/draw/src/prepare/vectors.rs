@@ -3,8 +3,7 @@
 use dobot_arm::TICK_S;
 use dobot_geometry::{Stroke, deviation};
 use dobot_plan::{
-    DrawingTool, DurationEstimator, LEAST_BURN_MM, MoveKind, Pass, Plan, acceleration,
-    burned_corners,
+    DrawingTool, DurationEstimator, MIN_BURN_MM, MoveKind, Pass, Plan, acceleration, burned_corners,
 };
 
 use super::{PrepareError, Settings};
@@ -29,7 +28,7 @@ impl Trials {
     pub(super) fn new(passes: &[Pass]) -> Self {
         let strokes = passes.iter().flat_map(|pass| &pass.strokes);
         Self {
-            left: MOST_TRIED,
+            left: MAX_TRIED,
             points: strokes.map(|stroke| stroke.points.len()).sum(),
             points_done: 0,
         }
@@ -45,7 +44,7 @@ impl Trials {
         } else {
             count
         };
-        let enough = self.left > 0 && count <= MOST_OF_ONE;
+        let enough = self.left > 0 && count <= MAX_OF_STROKE;
         self.left = self.left.saturating_sub(count);
         if self.are_rare() {
             self.left = 0;
@@ -56,9 +55,8 @@ impl Trials {
     /// Whether only a small part of the drawing could be planned with all variants: then it is not
     /// worth the time.
     fn are_rare(&self) -> bool {
-        let taken = MOST_TRIED - self.left;
-        taken > MOST_TRIED / FIRST_SHARE
-            && RARE * MOST_TRIED * self.points_done < taken * self.points
+        let taken = MAX_TRIED - self.left;
+        taken > MAX_TRIED / FIRST_SHARE && RARE * MAX_TRIED * self.points_done < taken * self.points
     }
 }
 
@@ -74,7 +72,7 @@ pub(super) fn simplified(
         settings.cancel.check()?;
         let fewest = fewest_at(stroke, tolerance_mm);
         let simple = if pass.tool.burns() {
-            fewest_long_at(stroke, tolerance_mm, LEAST_BURN_MM)
+            fewest_long_at(stroke, tolerance_mm, MIN_BURN_MM)
                 .unwrap_or_else(|| burned(stroke, fewest.stroke, tolerance_mm))
         } else if fewest.stroke.points.len() == stroke.points.len() {
             fewest.stroke
@@ -213,7 +211,7 @@ const WAYS: usize = 16;
 /// including earlier results.
 const CHANGES_S: [f64; 3] = [0.5 * TICK_S, 2.0 * TICK_S, 4.0 * TICK_S];
 /// The number of vectors planned to choose among variants: a second or two of a processor.
-const MOST_TRIED: usize = 200_000;
+const MAX_TRIED: usize = 200_000;
 /// After one of this many shares of the budget, check whether it suffices for one of this many
 /// parts of the drawing.
 const FIRST_SHARE: usize = 8;
@@ -221,7 +219,7 @@ const RARE: usize = 10;
 /// The fixed cost of planning a stroke, in vectors.
 const EACH: usize = 8;
 /// The maximum for one stroke.
-const MOST_OF_ONE: usize = 400_000;
+const MAX_OF_STROKE: usize = 400_000;
 /// The time factor of planning with ticks.
 const TICKS_COUNT: usize = 9;
 /// The factor by which the sampled acceleration may exceed the limit in ticks.
@@ -361,7 +359,7 @@ mod tests {
                 fewest,
                 settings.tool,
                 &settings,
-                &mut trials_of(MOST_TRIED),
+                &mut trials_of(MAX_TRIED),
             );
             let off = deviation(std::slice::from_ref(&line), std::slice::from_ref(&way));
             assert!(off.largest_mm() <= 0.0451, "{off:?}");

@@ -182,7 +182,7 @@ impl Waste {
         let mut most_mm = room_mm(&shape);
         let mut best = None;
         let sides = shape.points.len() - 1;
-        for side in (0..sides).step_by(sides.div_ceil(MOST_BEGINNINGS)) {
+        for side in (0..sides).step_by(sides.div_ceil(MAX_BEGINNINGS)) {
             if most_mm >= 2.0 * self.lead_in_mm {
                 break;
             }
@@ -201,7 +201,7 @@ impl Waste {
         let room_mm = 0.5 * self.room_mm(first, way, stroke);
         self.short_of_room += usize::from(room_mm < self.lead_in_mm);
         let lead_in_mm = self.lead_in_mm.min(room_mm);
-        if lead_in_mm > LEAST_LEAD_IN_MM {
+        if lead_in_mm > MIN_LEAD_IN_MM {
             cut.points.insert(0, first + way * lead_in_mm);
             cut.closed = false;
         }
@@ -218,7 +218,7 @@ impl Waste {
                 let mm = (a - from).cross(b - a) / across;
                 let share = (a - from).cross(way) / across;
                 let is_own = self.owners[line as usize] == stroke && mm.abs() < SAME_MM;
-                if (0.0..=1.0).contains(&share) && mm > -LEAST_LEAD_IN_MM && !is_own {
+                if (0.0..=1.0).contains(&share) && mm > -MIN_LEAD_IN_MM && !is_own {
                     room_mm = room_mm.min(mm.max(0.0));
                 }
             });
@@ -419,9 +419,9 @@ const SAME_MM: f64 = 1e-6;
 /// The number of corners, and of points between them, that decide what a path lies in.
 const SAMPLES: usize = 6;
 /// The number of sides tried as a start if the lead-in has no room.
-const MOST_BEGINNINGS: usize = 100;
+const MAX_BEGINNINGS: usize = 100;
 /// The minimum length of a lead-in.
-const LEAST_LEAD_IN_MM: f64 = 0.05;
+const MIN_LEAD_IN_MM: f64 = 0.05;
 
 #[cfg(test)]
 mod tests {

@@ -130,7 +130,7 @@ impl Drawn {
             pieces,
             first,
             length_mm,
-            looks_left: MOST_LOOKS,
+            looks_left: MAX_LOOKS,
         }
     }
 
@@ -141,7 +141,7 @@ impl Drawn {
         let length_mm = self.length_mm[stroke];
         let is_whole = matches!(spans[..], [(from, to)] if from == 0.0 && to == length_mm);
         if !is_whole {
-            spans.retain(|&(from, to)| !stay_whole && to - from >= LEAST_MM);
+            spans.retain(|&(from, to)| !stay_whole && to - from >= MIN_MM);
         }
         Some(spans)
     }
@@ -193,7 +193,7 @@ fn on((a, b): (Point, Point), (c, d): (Point, Point)) -> Option<(f64, f64)> {
     }
     let slope = (far.1 - near.1) / (far.0 - near.0);
     let is_near = |mm: f64| (near.1 + (mm - near.0) * slope).abs() <= SAME_MM;
-    (slope.abs() <= MOST_SLOPE && is_near(from) && is_near(to)).then_some((from, to))
+    (slope.abs() <= MAX_SLOPE && is_near(from) && is_near(to)).then_some((from, to))
 }
 
 /// Sorts spans and joins those with negligible gaps, including the gaps to both ends.
@@ -220,11 +220,11 @@ const SAME_MM: f64 = 0.05;
 /// The gap between two spans in which no line remains.
 const NO_GAP_MM: f64 = 2.0 * SAME_MM;
 /// The slope up to which pieces may belong to the same curve with different points.
-const MOST_SLOPE: f64 = 1.0;
+const MAX_SLOPE: f64 = 1.0;
 /// Shorter spans, as at a crossing, remain.
-const LEAST_MM: f64 = 1.0;
+const MIN_MM: f64 = 1.0;
 /// The budget of comparisons: a second or two.
-const MOST_LOOKS: usize = 50_000_000;
+const MAX_LOOKS: usize = 50_000_000;
 /// The length of the pieces into which long lines are divided, because they may cross many others.
 const PIECE_MM: f64 = 4.0;
 

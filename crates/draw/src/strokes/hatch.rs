@@ -115,7 +115,7 @@ impl Hatch {
                 "spacing",
                 self.spacing_mm,
                 "mm",
-                LEAST_SPACING_MM,
+                MIN_SPACING_MM,
                 "a number from 0.05 mm up",
             ),
             ("angle", self.angle_deg, "degrees", f64::MIN, "a number"),
@@ -216,4 +216,4 @@ fn lines(area: &Area, hatch: &Hatch, angle_deg: f64) -> Result<Vec<Stroke>, Hatc
     Ok(strokes)
 }
 
-const LEAST_SPACING_MM: f64 = 0.05;
+const MIN_SPACING_MM: f64 = 0.05;

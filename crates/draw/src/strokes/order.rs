@@ -134,7 +134,7 @@ fn moved(turns: &mut Turns, kicks: u32, random: &mut Random) -> u32 {
 fn kicks(search: &Search, strokes: usize) -> u32 {
     let strokes = u32::try_from(strokes).unwrap_or(u32::MAX);
     let most = strokes.saturating_mul(KICKS_FOR_EACH);
-    let kicks = search.kicks.min(most.saturating_add(LEAST_KICKS));
+    let kicks = search.kicks.min(most.saturating_add(MIN_KICKS));
     let fewer = u64::from(kicks) * u64::from(MANY_STROKES) / u64::from(strokes.max(MANY_STROKES));
     u32::try_from(fewer).unwrap_or(kicks)
 }
@@ -155,7 +155,7 @@ const KICKS_FOR_EACH: u32 = 40;
 /// The number of strokes above which there are fewer kicks.
 const MANY_STROKES: u32 = 10_000;
 /// The minimum for a handful of strokes, which takes no time.
-const LEAST_KICKS: u32 = 1000;
+const MIN_KICKS: u32 = 1000;
 /// The kicks for moving parts are divided into this many shares, and end when a share shortens the
 /// travel by less than [`WORTHWHILE`].
 const SHARES: u32 = 4;

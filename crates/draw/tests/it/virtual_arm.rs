@@ -56,11 +56,11 @@ fn drive(commands: &[Command], personality: Personality, start: [f64; 3]) -> Vec
     }
     assert_eq!(arm.poll_refused(), None);
     let away = |sample: &Seen| distance(sample.place, start);
-    let came = seen.iter().position(|sample| away(sample) < 0.3);
-    let came = came.expect("it goes to the start");
-    let stands = (came..came + 12).rev();
-    let stands = stands.min_by(|&a, &b| away(&seen[a]).total_cmp(&away(&seen[b])));
-    seen.split_off(stands.expect("a dozen"))
+    let arrived = seen.iter().position(|sample| away(sample) < 0.3);
+    let arrived = arrived.expect("it goes to the start");
+    let nearest = (arrived..arrived + 12).rev();
+    let nearest = nearest.min_by(|&a, &b| away(&seen[a]).total_cmp(&away(&seen[b])));
+    seen.split_off(nearest.expect("a dozen"))
 }
 
 /// Returns the number of moving ticks.
@@ -78,16 +78,16 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
 /// Returns the paths in which `which` held, seen from above.
 fn ways(seen: &[Seen], which: impl Fn(&Seen) -> bool) -> Vec<Stroke> {
     let mut ways: Vec<Stroke> = Vec::new();
-    let mut goes_on = false;
+    let mut continues = false;
     for pair in seen.windows(2) {
         let [from, to] =
             [pair[0], pair[1]].map(|sample| Point::new(sample.place[0], sample.place[1]));
-        match ways.last_mut().filter(|_| goes_on) {
+        match ways.last_mut().filter(|_| continues) {
             _ if !which(&pair[0]) => {}
             Some(way) => way.points.push(to),
             None => ways.push(Stroke::open(vec![from, to])),
         }
-        goes_on = which(&pair[0]);
+        continues = which(&pair[0]);
     }
     ways
 }

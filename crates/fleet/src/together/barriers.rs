@@ -87,18 +87,18 @@ impl Barriers {
         let is_last = |index: u64| self.times.is_some_and(|times| index + 1 >= times);
         let len = self.cycle.len().max(1) as u64;
         // In the last cycle, the barriers already passed do not return.
-        let behind = match passed.checked_sub(once) {
+        let passed_in_cycle = match passed.checked_sub(once) {
             Some(within) if is_last(within / len) => within % len,
             _ => 0,
         };
-        let behind = usize::try_from(behind).unwrap_or(usize::MAX);
+        let passed_in_cycle = usize::try_from(passed_in_cycle).unwrap_or(usize::MAX);
         let cycle = if self.times == Some(0) {
             &[][..]
         } else {
             &self.cycle
         };
         let ahead = self.once.iter().skip(skipped);
-        let ahead = ahead.chain(cycle.iter().skip(behind));
+        let ahead = ahead.chain(cycle.iter().skip(passed_in_cycle));
         ahead.map(|barrier| &*barrier.name).collect()
     }
 
@@ -151,7 +151,7 @@ pub(super) enum Course {
 pub(super) fn course(parts: &[&Barriers]) -> Course {
     let mut passed = vec![0; parts.len()];
     let mut been = HashSet::new();
-    for _ in 0..MOST_RELEASES {
+    for _ in 0..MAX_RELEASES {
         let next: Vec<_> = parts
             .iter()
             .zip(&passed)
@@ -191,4 +191,4 @@ fn meeting(parts: &[&Barriers], next: &[Option<&Barrier>]) -> Option<Arc<str>> {
 }
 
 /// The maximum number of releases that are checked.
-const MOST_RELEASES: usize = 1_000_000;
+const MAX_RELEASES: usize = 1_000_000;

@@ -55,7 +55,7 @@ pub enum DocumentError {
     },
     /// Too few or too many parts.
     #[error(
-        "there are {0} parts; allowed are {LEAST} to {MOST}, each as [[parts]] with arm and program"
+        "there are {0} parts; allowed are {MIN_PARTS} to {MAX_PARTS}, each as [[parts]] with arm and program"
     )]
     Parts(usize),
     /// An invalid station name.
@@ -84,7 +84,7 @@ impl Together {
             line: error.span().map(|span| line_of(text, span.start)),
             reason: error.message().trim().replace('\n', ", "),
         })?;
-        if !(LEAST..=MOST).contains(&document.parts.len()) {
+        if !(MIN_PARTS..=MAX_PARTS).contains(&document.parts.len()) {
             return Err(DocumentError::Parts(document.parts.len()));
         }
         let mut arms = BTreeSet::new();
@@ -106,8 +106,8 @@ fn line_of(text: &str, at: usize) -> usize {
     text.bytes().take(at).filter(|byte| *byte == b'\n').count() + 1
 }
 
-const LEAST: usize = 2;
-const MOST: usize = 64;
+const MIN_PARTS: usize = 2;
+const MAX_PARTS: usize = 64;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

@@ -100,7 +100,7 @@ impl Engine {
 
     /// Handles the observed state of a part.
     pub(super) fn handle_seen(&mut self, now: Duration, part: usize, seen: &Observation) {
-        self.parts[part].heard = now;
+        self.parts[part].last_contact = now;
         self.parts[part].is_silent = false;
         if let Err(why) = self.parts[part].see(part, seen, &mut self.news) {
             self.trouble(part, &why);
@@ -110,7 +110,7 @@ impl Engine {
     /// Handles a missing state of a part, for this reason.
     pub(super) fn handle_silent(&mut self, now: Duration, part: usize, why: &str) {
         let state = &mut self.parts[part];
-        if state.at == At::Done || now.saturating_sub(state.heard) < HEARD_WITHIN {
+        if state.at == At::Done || now.saturating_sub(state.last_contact) < CONTACT_WITHIN {
             return;
         }
         state.is_silent = true;
@@ -156,7 +156,7 @@ impl Engine {
     /// reason; parts that depend on one of them keep holding.
     pub(super) fn resume(&mut self) -> Vec<(usize, String)> {
         let parts = self.parts.iter().enumerate();
-        let hindered = parts.filter_map(|(part, state)| Some((part, state.hindrance()?)));
+        let hindered = parts.filter_map(|(part, state)| Some((part, state.obstacle()?)));
         let hindered: Vec<_> = hindered.collect();
         let ahead: Vec<_> = self.parts.iter().map(PartState::ahead).collect();
         let mut hold: BTreeSet<usize> = hindered.iter().map(|entry| entry.0).collect();
@@ -262,4 +262,4 @@ impl Engine {
 }
 
 /// The time without contact after which a part, and those that depend on it, hold.
-const HEARD_WITHIN: Duration = Duration::from_secs(3);
+const CONTACT_WITHIN: Duration = Duration::from_secs(3);

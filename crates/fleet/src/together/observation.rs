@@ -42,8 +42,8 @@ impl Observation {
             JobPhase::Running => Self::Running,
             JobPhase::Done => Self::Done,
             JobPhase::Stopped | JobPhase::Failed => Self::Ended(reason()),
-            JobPhase::Queued | JobPhase::Paused => match hurdle(state) {
-                Some(hurdle) => Self::Hindered(hurdle),
+            JobPhase::Queued | JobPhase::Paused => match obstacle(state) {
+                Some(obstacle) => Self::Hindered(obstacle),
                 None if job.phase == JobPhase::Queued => Self::Queued,
                 None => paused(part, job, &reason(), state),
             },
@@ -72,7 +72,7 @@ fn paused(part: &Part, job: &JobView, reason: &str, state: &State) -> Observatio
 }
 
 /// Returns the reason why the arm could not continue, whatever the place of its job.
-fn hurdle(state: &State) -> Option<String> {
+fn obstacle(state: &State) -> Option<String> {
     if let Some(stop) = &state.stop {
         return Some(stop.text());
     }

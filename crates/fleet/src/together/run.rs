@@ -93,10 +93,10 @@ pub async fn run(
     parts: &[Part],
     is_attended: bool,
     mut orders: mpsc::Receiver<Order>,
-    mut say: impl FnMut(RunEvent),
+    mut report: impl FnMut(RunEvent),
 ) -> Result<Outcome, RunError> {
     let jobs = queue(home, parts).await?;
-    say(RunEvent::Queued(jobs.clone()));
+    report(RunEvent::Queued(jobs.clone()));
     let mut run = Run {
         actors: actors(home, parts, &jobs),
         engine: Engine::new(parts.iter().map(Part::barriers).collect()),
@@ -115,11 +115,11 @@ pub async fn run(
                 Some(Order::Leave) => return Ok(Outcome::Held),
             },
             _ = looks.tick() => {
-                run.resume(&mut say);
+                run.resume(&mut report);
                 run.look().await;
             }
         }
-        run.act(&mut say).await;
+        run.act(&mut report).await;
         if run.engine.is_over() {
             return Ok(Outcome::Done);
         }
@@ -211,8 +211,8 @@ impl Run {
     }
 
     /// Carries out the pending actions.
-    async fn act(&mut self, say: &mut impl FnMut(RunEvent)) {
-        self.report_events(say);
+    async fn act(&mut self, report: &mut impl FnMut(RunEvent)) {
+        self.report_events(report);
         let actions: Vec<Action> = std::iter::from_fn(|| self.engine.poll_action()).collect();
         let pauses = actions.iter().filter_map(|action| match action {
             Action::Pause(part) => Some(*part),
@@ -223,25 +223,25 @@ impl Run {
             if let Action::Start { barrier, parts } = action
                 && let Some(within_ms) = self.start(&parts).await
             {
-                say(RunEvent::Started { barrier, within_ms });
+                report(RunEvent::Started { barrier, within_ms });
             }
         }
-        self.report_events(say);
+        self.report_events(report);
     }
 
-    fn report_events(&mut self, say: &mut impl FnMut(RunEvent)) {
+    fn report_events(&mut self, report: &mut impl FnMut(RunEvent)) {
         while let Some(news) = self.engine.poll_news() {
-            say(RunEvent::News(news));
+            report(RunEvent::News(news));
         }
     }
 
-    fn resume(&mut self, say: &mut impl FnMut(RunEvent)) {
+    fn resume(&mut self, report: &mut impl FnMut(RunEvent)) {
         if !self.is_to_go_on || !self.engine.is_at_rest() {
             return;
         }
         self.is_to_go_on = false;
         for (part, why) in self.engine.resume() {
-            say(RunEvent::Hindered { part, why });
+            report(RunEvent::Hindered { part, why });
         }
     }
 

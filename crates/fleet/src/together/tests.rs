@@ -90,8 +90,8 @@ proptest! {
             })
             .collect();
         let found = course(&short.iter().collect::<Vec<_>>());
-        let comes_through = come_through(&written_out, seed);
-        prop_assert_eq!(found == Course::Done, comes_through, "{:?}", found);
+        let is_done = come_through(&written_out, seed);
+        prop_assert_eq!(found == Course::Done, is_done, "{:?}", found);
     }
 
     #[test]

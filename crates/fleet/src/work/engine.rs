@@ -104,7 +104,7 @@ pub(crate) enum Answer {
 }
 
 /// The maximum number of open tickets.
-const MOST: usize = 5000;
+const MAX_TICKETS: usize = 5000;
 /// The maximum number of finished tickets that are kept.
 const KEPT: usize = 500;
 /// The interval of queries to a station that has a ticket.
@@ -183,10 +183,10 @@ impl Work {
             .values()
             .filter(|ticket| is_open(ticket))
             .count();
-        if open < MOST {
+        if open < MAX_TICKETS {
             return Ok(());
         }
-        let many = format!("{open} jobs are open; at most {MOST} are allowed");
+        let many = format!("{open} jobs are open; at most {MAX_TICKETS} are allowed");
         Err(TOO_MANY.hinted(many, "wait until some are done, or cancel some"))
     }
 
@@ -381,7 +381,7 @@ impl Work {
             let since = *self.queued.get(&offer.key).unwrap_or(&now);
             queued.insert(offer.key.clone(), since);
             let is_late = now.saturating_sub(since) >= STARTS_WITHIN;
-            if let Some(why) = self.hurdle(&offer.member, is_late) {
+            if let Some(why) = self.obstacle(&offer.member, is_late) {
                 recalled.push((ticket.id.clone(), offer.clone(), why));
             }
         }
@@ -398,19 +398,19 @@ impl Work {
 
     /// Returns why a station with automatic starts cannot start a queued job. A stop or a lock
     /// counts immediately; other reasons may pass, and count when the job is late.
-    fn hurdle(&self, member: &WorkMember, is_late: bool) -> Option<String> {
+    fn obstacle(&self, member: &WorkMember, is_late: bool) -> Option<String> {
         let member = self.present(member)?;
         let (about, state) = (member.about.as_ref()?, member.state.as_ref()?);
         let takes_work = about
             .takes_work
             .filter(|setting| *setting == TakesWork::Start)?;
-        let hurdle = work_hurdle(state, takes_work);
+        let obstacle = work_hurdle(state, takes_work);
         if state.stop.is_some() || state.lock.is_some() {
-            return hurdle;
+            return obstacle;
         }
         let within_s = STARTS_WITHIN.as_secs();
         let late = || format!("its station did not start the job within {within_s} s");
-        is_late.then(|| hurdle.unwrap_or_else(late))
+        is_late.then(|| obstacle.unwrap_or_else(late))
     }
 
     fn next_ask(&self, now: Duration) -> Option<Ask> {

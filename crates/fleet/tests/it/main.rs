@@ -567,8 +567,8 @@ async fn is_there(stranger: &zenoh::Session, name: &str) {
     let key = format!("dobot/alive/*/*/{name}/**");
     let alive = stranger.liveliness().declare_subscriber(key).history(true);
     let alive = alive.await.unwrap();
-    let came = timeout(PATIENCE, alive.recv_async()).await;
-    came.unwrap().unwrap();
+    let arrived = timeout(PATIENCE, alive.recv_async()).await;
+    arrived.unwrap().unwrap();
 }
 
 async fn stop_by(stranger: &zenoh::Session, name: &str) -> Value {

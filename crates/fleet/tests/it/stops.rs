@@ -262,11 +262,11 @@ async fn while_the_fleet_is_stopped_its_queue_waits_and_no_joining_arm_starts_an
     let late = worker("desk-2", &at, tempfile::tempdir().unwrap()).await;
     let mut packets = [&one, &late].map(|arm| arm.station.handle().passed());
     late.is_stopped().await;
-    let says = |work: &WorkView| {
+    let is_wanted = |work: &WorkView| {
         let reason = work.reason.as_deref().unwrap_or_default();
         work.phase == WorkPhase::Waiting && reason.contains(DRILL)
     };
-    one.has_work("waiting, with the reason", says).await;
+    one.has_work("waiting, with the reason", is_wanted).await;
     // A person releases one arm: the queue of the fleet still waits.
     late.is("at rest", |state| {
         state.stop.as_ref().is_some_and(|stop| stop.at_rest)
@@ -277,7 +277,7 @@ async fn while_the_fleet_is_stopped_its_queue_waits_and_no_joining_arm_starts_an
     // The home is killed, and resumes with the jobs on its disk.
     let one = worker("desk-1", &at, one.left().await).await;
     one.is_stopped().await;
-    one.has_work("waiting, with the reason", says).await;
+    one.has_work("waiting, with the reason", is_wanted).await;
     for packets in &mut packets {
         assert!(motions(packets).is_empty());
     }

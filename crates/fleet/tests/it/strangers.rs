@@ -7,25 +7,25 @@ use zenoh::query::Query;
 use super::*;
 
 /// A key, and the request received there.
-type Heard = (String, Vec<u8>);
+type ReceivedRequest = (String, Vec<u8>);
 
 /// A member that answers for all others and records its requests.
 struct Thief {
     session: zenoh::Session,
-    heard: Arc<Mutex<Vec<Heard>>>,
+    received: Arc<Mutex<Vec<ReceivedRequest>>>,
 }
 
 impl Thief {
     async fn come(at: &str) -> Self {
         let session = stranger_who_sees("desk-2", at).await;
-        let heard = Arc::<Mutex<Vec<_>>>::default();
-        let hears = heard.clone();
+        let received = Arc::<Mutex<Vec<_>>>::default();
+        let requests = received.clone();
         let answers = move |query: Query| {
             let payload = query
                 .payload()
                 .map(|payload| payload.to_bytes().into_owned());
             let key = query.key_expr().as_str().to_owned();
-            hears
+            requests
                 .lock()
                 .unwrap()
                 .push((key, payload.unwrap_or_default()));
@@ -38,22 +38,22 @@ impl Thief {
             let answers = session.declare_queryable(key).callback(answers.clone());
             answers.background().await.unwrap();
         }
-        Self { session, heard }
+        Self { session, received }
     }
 
     /// Waits until it receives a request to desk-2; its responses are ignored.
-    async fn hears(&self, one: &Desk) {
-        let hears = async {
-            while self.heard().is_empty() {
+    async fn wait_for_request(&self, one: &Desk) {
+        let waiting = async {
+            while self.received().is_empty() {
                 let answers = one.all_as(None, to_two("GET", "/healthz")).await;
                 assert_eq!(answers[0].answer.body, json!("ok\n"), "{answers:?}");
             }
         };
-        timeout(PATIENCE, hears).await.unwrap();
+        timeout(PATIENCE, waiting).await.unwrap();
     }
 
-    fn heard(&self) -> Vec<Heard> {
-        self.heard.lock().unwrap().clone()
+    fn received(&self) -> Vec<ReceivedRequest> {
+        self.received.lock().unwrap().clone()
     }
 }
 
@@ -75,7 +75,7 @@ async fn a_member_that_answers_for_others_reads_no_token_and_its_answers_do_not_
     let [one, two] = two_desks(&at).await;
     let token = accept(&one, &two);
     let thief = Thief::come(&at).await;
-    thief.hears(&one).await;
+    thief.wait_for_request(&one).await;
     let lease = to_two("POST", "/api/v1/lease");
     let answers = one.all_as(Some(token.clone()), lease).await;
     assert_eq!(answers[0].answer.status, 200, "{answers:?}");
@@ -91,20 +91,23 @@ async fn a_member_that_answers_for_others_reads_no_token_and_its_answers_do_not_
             .all(|answer| answer.answer.body != json!("forged")),
         "{stopped:?}"
     );
-    let heard = thief.heard();
+    let received = thief.received();
     assert!(
-        heard.iter().any(|(key, _)| key.ends_with("/sealed")),
-        "{heard:?}"
+        received.iter().any(|(key, _)| key.ends_with("/sealed")),
+        "{received:?}"
     );
     for secret in [&token, &control] {
         let reads = |text: &[u8]| {
             text.windows(secret.len())
                 .any(|window| window == secret.as_bytes())
         };
-        assert!(!heard.iter().any(|(_, payload)| reads(payload)));
+        assert!(!received.iter().any(|(_, payload)| reads(payload)));
     }
     // A replayed request has no effect.
-    for (key, payload) in heard.into_iter().filter(|(_, payload)| payload.len() > 32) {
+    for (key, payload) in received
+        .into_iter()
+        .filter(|(_, payload)| payload.len() > 32)
+    {
         if !key.ends_with("/sealed") {
             continue;
         }
@@ -129,7 +132,7 @@ async fn a_station_is_not_reported_as_stopped_if_only_another_member_answers() {
     let (router, at) = router(free_port()).await;
     let [one, two] = two_desks(&at).await;
     let thief = Thief::come(&at).await;
-    thief.hears(&one).await;
+    thief.wait_for_request(&one).await;
     two.end().await;
     one.sees("that desk-2 is away", is_away("desk-2")).await;
     let stopped = one.stop_all().await;
@@ -168,8 +171,8 @@ async fn a_report_in_the_name_of_another_member_is_not_shown() {
     let answers = stranger.declare_queryable(&key).callback(answers);
     answers.background().await.unwrap();
     for _ in 0..20 {
-        let told = stranger.put(&key, forged.as_str()).attachment([1; 72]);
-        told.await.unwrap();
+        let sent = stranger.put(&key, forged.as_str()).attachment([1; 72]);
+        sent.await.unwrap();
         let members = one.members().await;
         assert!(!format!("{members:?}").contains("forged"), "{members:#?}");
     }

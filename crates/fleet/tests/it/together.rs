@@ -55,7 +55,9 @@ impl Room {
             Err(TryRecvError::Lagged(_)) => panic!("packets of desk {desk} were missed"),
         });
         let mut commands = sent.filter(|sent| sent.to_arm).map(|sent| command(&sent));
-        commands.any(|command| matches!(command, Some(Command::MoveTo(command)) if command.y_mm == BEHIND_MM))
+        commands.any(
+            |command| matches!(command, Some(Command::MoveTo(command)) if command.y_mm == AFTER_MM),
+        )
     }
 
     async fn close(self) {
@@ -68,13 +70,13 @@ impl Room {
 
 fn is_ready(names: &[&str]) -> impl Fn(&[Member]) -> bool {
     let present = present(names);
-    let hears = |member: &Member| {
+    let is_linked = |member: &Member| {
         member
             .state
             .as_ref()
             .is_some_and(|state| state.arm.is_some())
     };
-    move |members| present(members) && members.iter().all(hears)
+    move |members| present(members) && members.iter().all(is_linked)
 }
 
 fn command(packet: &PassedPacket) -> Option<Command> {
@@ -88,7 +90,7 @@ fn part(arm: &str, before: &str) -> Part {
         "title = \"part of {arm}\"\n\
          [[steps]]\ngo = {{ x = 200, y = 30, z = 20 }}\n{before}\
          [[steps]]\nbarrier = \"together\"\n\
-         [[steps]]\ngo = {{ x = 200, y = {BEHIND_MM}, z = 20 }}\n"
+         [[steps]]\ngo = {{ x = 200, y = {AFTER_MM}, z = 20 }}\n"
     );
     let program = Program::from_toml(&text).unwrap();
     Part {
@@ -110,12 +112,12 @@ fn to_and_fro(times: u32) -> String {
 }
 
 /// The y of all targets after the barrier.
-const BEHIND_MM: f32 = -30.0;
+const AFTER_MM: f32 = -30.0;
 
 /// A running program and its events.
 struct Running {
     orders: mpsc::Sender<Order>,
-    said: mpsc::UnboundedReceiver<RunEvent>,
+    events: mpsc::UnboundedReceiver<RunEvent>,
     ended: JoinHandle<Outcome>,
 }
 
@@ -123,26 +125,28 @@ impl Running {
     fn begin(home: &Home, parts: Vec<Part>, is_attended: bool) -> Self {
         assert_eq!(check(&parts), [""; 0]);
         let (orders, ordered) = mpsc::channel(8);
-        let (sender, said) = mpsc::unbounded_channel();
+        let (sender, events) = mpsc::unbounded_channel();
         let home = home.clone();
         let ended = tokio::spawn(async move {
-            let say = |event| drop(sender.send(event));
-            run(&home, &parts, is_attended, ordered, say).await.unwrap()
+            let report = |event| drop(sender.send(event));
+            run(&home, &parts, is_attended, ordered, report)
+                .await
+                .unwrap()
         });
         Self {
             orders,
-            said,
+            events,
             ended,
         }
     }
 
     /// Waits for an event; returns it and all events before it.
-    async fn until(&mut self, is_it: impl Fn(&RunEvent) -> bool) -> Vec<RunEvent> {
+    async fn until(&mut self, is_match: impl Fn(&RunEvent) -> bool) -> Vec<RunEvent> {
         let mut all = Vec::new();
         let waiting = async {
-            while let Some(said) = self.said.recv().await {
-                let found = is_it(&said);
-                all.push(said);
+            while let Some(event) = self.events.recv().await {
+                let found = is_match(&event);
+                all.push(event);
                 if found {
                     return true;
                 }
@@ -159,8 +163,8 @@ impl Running {
     }
 }
 
-fn is_at_barrier(said: &RunEvent, of: usize) -> bool {
-    matches!(said, RunEvent::News(EngineEvent::Arrived { part, .. }) if *part == of)
+fn is_at_barrier(event: &RunEvent, of: usize) -> bool {
+    matches!(event, RunEvent::News(EngineEvent::Arrived { part, .. }) if *part == of)
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -172,9 +176,9 @@ async fn no_arm_passes_a_barrier_before_the_last_one_has_arrived() {
         part("desk-3", "[[steps]]\nwait = \"is the sheet there?\"\n"),
     ];
     let mut running = Running::begin(&room.home, parts, true);
-    let mut said = running.until(|event| is_at_barrier(event, 0)).await;
-    if !said.iter().any(|event| is_at_barrier(event, 1)) {
-        said.extend(running.until(|event| is_at_barrier(event, 1)).await);
+    let mut events = running.until(|event| is_at_barrier(event, 0)).await;
+    if !events.iter().any(|event| is_at_barrier(event, 1)) {
+        events.extend(running.until(|event| is_at_barrier(event, 1)).await);
     }
     let is_asked = |event: &RunEvent| {
         matches!(
@@ -182,11 +186,11 @@ async fn no_arm_passes_a_barrier_before_the_last_one_has_arrived() {
             RunEvent::News(EngineEvent::WaitsForPerson { part: 2, .. })
         )
     };
-    if !said.iter().any(is_asked) {
-        said.extend(running.until(is_asked).await);
+    if !events.iter().any(is_asked) {
+        events.extend(running.until(is_asked).await);
     }
-    let Some(RunEvent::Queued(jobs)) = said.first() else {
-        panic!("{said:#?}")
+    let Some(RunEvent::Queued(jobs)) = events.first() else {
+        panic!("{events:#?}")
     };
     for desk in 0..3 {
         assert!(!room.has_gone_past(desk), "desk {desk}");
@@ -202,10 +206,10 @@ async fn no_arm_passes_a_barrier_before_the_last_one_has_arrived() {
             }
         )
     };
-    let said = running.until(released).await;
+    let events = running.until(released).await;
     assert!(
-        said.iter().any(|event| is_at_barrier(event, 2)),
-        "{said:#?}"
+        events.iter().any(|event| is_at_barrier(event, 2)),
+        "{events:#?}"
     );
     assert_eq!(running.end().await, Outcome::Done);
     for desk in 0..3 {

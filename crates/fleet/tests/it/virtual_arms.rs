@@ -67,9 +67,9 @@ impl Board {
     }
 
     /// Waits for an event that contains this text.
-    async fn hears(&mut self, event: &str, text: &str) {
+    async fn wait_for(&mut self, event: &str, text: &str) {
         let event = format!("event: {event}");
-        let heard = async {
+        let waiting = async {
             loop {
                 if self.0.next_line().await.unwrap().unwrap() == event
                     && self.0.next_line().await.unwrap().unwrap().contains(text)
@@ -78,7 +78,7 @@ impl Board {
                 }
             }
         };
-        timeout(PATIENCE, heard).await.unwrap();
+        timeout(PATIENCE, waiting).await.unwrap();
     }
 }
 
@@ -208,7 +208,7 @@ async fn an_ended_arm_is_not_listed_and_has_its_jobs_when_it_is_created_again() 
     hall.sees("it", present(&["anna", "hall"])).await;
     let anna = hall.members().await.remove(0).id;
     let mut board = Board::open(&hall).await;
-    board.hears("member", "\"anna\"").await;
+    board.wait_for("member", "\"anna\"").await;
     let target = json!({"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "rotation_deg": 0, "suction": false, "mode": "jump", "gripper_deg": 0, "pause_s": 0});
     let job = json!({"title": "first try", "kind": "program", "commands": [target]});
     let (status, submitted) = hall.of("anna", "POST", "/api/v1/jobs", job).await;
@@ -216,7 +216,7 @@ async fn an_ended_arm_is_not_listed_and_has_its_jobs_when_it_is_created_again() 
     let (status, left) = hall.ask("DELETE", &format!("{ARMS}/anna"), None).await;
     assert_eq!((status, &left["arms"]), (200, &json!([])));
     hall.sees("that it is gone", is_unknown("anna")).await;
-    board.hears("gone", &anna).await;
+    board.wait_for("gone", &anna).await;
     let (status, again) = hall.ask("POST", ARMS, wanted()).await;
     assert_eq!(status, 200, "{again}");
     hall.sees("it again", present(&["anna", "hall"])).await;

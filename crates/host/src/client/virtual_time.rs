@@ -17,7 +17,7 @@ pub(super) struct VirtualTimeClient {
     station: VirtualStation,
     client: ClientId,
     /// Events not taken yet; only the last of several states, unless each is requested.
-    heard: VecDeque<StationEvent>,
+    events: VecDeque<StationEvent>,
     /// The number of notices taken.
     taken: usize,
     dead_man_s: f64,
@@ -32,7 +32,7 @@ impl VirtualTimeClient {
         Self {
             station,
             client,
-            heard: VecDeque::new(),
+            events: VecDeque::new(),
             taken: 0,
             dead_man_s,
         }
@@ -56,7 +56,7 @@ impl VirtualTimeClient {
         let until = self.station.now().saturating_add(time);
         loop {
             self.listen();
-            let event = self.heard.pop_front();
+            let event = self.events.pop_front();
             if event.is_some() || self.station.now() >= until {
                 return event;
             }
@@ -106,13 +106,13 @@ impl VirtualTimeClient {
             .iter()
             .cloned()
             .map(StationEvent::Notice);
-        self.heard.extend(news);
+        self.events.extend(news);
         self.taken = notices.len();
         if self.station.poll_status() {
-            self.heard
+            self.events
                 .retain(|event| !matches!(event, StationEvent::State(_)));
             let state = Box::new(self.station.supervisor().state());
-            self.heard.push_back(StationEvent::State(state));
+            self.events.push_back(StationEvent::State(state));
         }
     }
 }

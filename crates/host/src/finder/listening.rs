@@ -73,9 +73,9 @@ mod tests {
     #[test]
     fn one_status_in_pieces_of_any_size_is_an_arm() {
         let mut listening = Listening::new();
-        let heard: Vec<bool> = status().map(|byte| listening.handle_bytes(&[byte])).into();
-        assert!(heard[41]);
-        assert_eq!(heard.iter().filter(|heard| **heard).count(), 1);
+        let are_arms: Vec<bool> = status().map(|byte| listening.handle_bytes(&[byte])).into();
+        assert!(are_arms[41]);
+        assert_eq!(are_arms.iter().filter(|is_arm| **is_arm).count(), 1);
         assert_eq!(listening.into_bytes(), status());
     }
 
@@ -106,8 +106,8 @@ mod tests {
             let mut all = noise;
             // A false header at the end of the noise hides at most the first status.
             all.extend(status().repeat(2));
-            let heard = all.chunks(cut).filter(|chunk| listening.handle_bytes(chunk)).count();
-            prop_assert!(heard > 0);
+            let found = all.chunks(cut).filter(|chunk| listening.handle_bytes(chunk)).count();
+            prop_assert!(found > 0);
             prop_assert!(listening.into_bytes().len() <= 4096);
         }
     }

@@ -69,10 +69,10 @@ fn noisy() -> (JoinHandle<Vec<u8>>, Port) {
     let port = port(pty.path());
     let sending = tokio::spawn(async move {
         let mut client = opened(&pty).await;
-        let mut came = Vec::new();
+        let mut received = Vec::new();
         client.write_all(&[0xA5; 1000]).await.expect("it is open");
-        client.read_to_end(&mut came).await.expect("it holds");
-        came
+        client.read_to_end(&mut received).await.expect("it holds");
+        received
     });
     (sending, port)
 }
@@ -153,14 +153,14 @@ async fn a_silent_port_is_reported_and_nothing_is_written_to_it() {
 /// In real time: a clock that runs ahead when idle would not wait for bytes in transit.
 #[tokio::test]
 async fn a_noisy_port_is_reported_and_nothing_is_written_to_it() {
-    let (came, port) = noisy();
+    let (receiving, port) = noisy();
     let nothing = finder().find_among(&[port], |_| {}).await;
     let nothing = nothing.expect_err("no arm is there");
     let [(_, ProbeFailure::NoStatus(NoStatus::Other { bytes }))] = nothing.failures[..] else {
         panic!("{nothing}");
     };
     assert!((1..=1000).contains(&bytes), "{bytes}");
-    let written = came.await.expect("it runs");
+    let written = receiving.await.expect("it runs");
     assert!(written.is_empty(), "{written:?}");
 }
 

@@ -152,13 +152,16 @@ mod tests {
             .iter()
             .flat_map(dobot_wire::Packet::to_bytes)
             .collect();
-        let mut heard = Vec::new();
+        let mut received = Vec::new();
         let mut port = child.stdout.take().unwrap();
-        while !heard.windows(wanted.len()).any(|window| window == wanted) {
+        while !received
+            .windows(wanted.len())
+            .any(|window| window == wanted)
+        {
             let mut bytes = [0; 256];
             let read = port.read(&mut bytes).unwrap();
             assert!(read > 0, "it ended without the packets");
-            heard.extend_from_slice(&bytes[..read]);
+            received.extend_from_slice(&bytes[..read]);
         }
         // It is waiting for the pipe now.
         assert_eq!(child.try_wait().unwrap(), None);

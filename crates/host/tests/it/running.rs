@@ -14,14 +14,14 @@ struct Fake(WebSocketStream<TcpStream>);
 impl Fake {
     async fn welcome(stream: TcpStream) -> Self {
         let mut fake = Self(accept_async(stream).await.unwrap());
-        fake.say(json!({"hello": {
+        fake.send(json!({"hello": {
             "client": 3, "role": "control", "version": "0.1.0", "dead_man_s": 0.15,
         }}))
         .await;
         fake
     }
 
-    async fn say(&mut self, message: Value) {
+    async fn send(&mut self, message: Value) {
         let sent = self.0.send(Message::text(message.to_string())).await;
         sent.unwrap();
     }
@@ -49,9 +49,9 @@ async fn a_command_is_over_when_its_own_notice_arrives() {
     let (mut remote, mut fake) = pair().await;
     let done = |command| json!({"type": "command_done", "command": command});
     let failed = json!({"type": "command_failed", "command": 8});
-    fake.say(notice(1, &done(6), "over")).await;
-    fake.say(notice(2, &done(7), "over")).await;
-    fake.say(notice(3, &failed, "the arm stalled")).await;
+    fake.send(notice(1, &done(6), "over")).await;
+    fake.send(notice(2, &done(7), "over")).await;
+    fake.send(notice(3, &failed, "the arm stalled")).await;
     remote.finished(7).await.unwrap();
     let error = remote.finished(8).await.unwrap_err();
     assert_eq!(error.to_string(), "the arm stalled");

@@ -22,7 +22,7 @@ mod releases;
 mod resumed;
 mod slots;
 mod stalls;
-mod stands;
+mod standing_laser;
 mod steps;
 mod stops;
 mod strokes;

@@ -109,8 +109,8 @@ fn own_pairs(text: &[u8], from: usize) -> Result<Vec<Pair<'_>>, SourceError> {
     let mut own = Vec::new();
     for pair in pairs(text, from).take_while(is_own) {
         let pair = pair?;
-        if own.len() == MOST_PAIRS {
-            let found = format!("an entity with more than {MOST_PAIRS} groups");
+        if own.len() == MAX_PAIRS {
+            let found = format!("an entity with more than {MAX_PAIRS} groups");
             let expected = "fewer; simplify it, or draw it in parts";
             return Err(SourceError::found(text, pair.at, found, expected));
         }
@@ -120,7 +120,7 @@ fn own_pairs(text: &[u8], from: usize) -> Result<Vec<Pair<'_>>, SourceError> {
 }
 
 /// The limit protects the memory: an outline of half a million corners has a million groups.
-const MOST_PAIRS: usize = 1_000_000;
+const MAX_PAIRS: usize = 1_000_000;
 
 /// The groups after it repeat the entity for newer programs.
 const EMBEDDED: i32 = 101;

@@ -235,7 +235,7 @@ impl<'a> SectionReader<'a> {
         if let Some((name, elements)) = &mut self.line_type {
             match pair.code {
                 2 => *name = pair.text().to_uppercase(),
-                49 if elements.len() < MOST_ELEMENTS => elements.push(pair.number()?),
+                49 if elements.len() < MAX_ELEMENTS => elements.push(pair.number()?),
                 _ => {}
             }
             return Ok(());
@@ -376,4 +376,4 @@ const LAYER_OBJECTS: usize = 10;
 /// The cost of a block, whose name is copied.
 const BLOCK_OBJECTS: usize = 2;
 /// A line type has at most a dozen elements.
-const MOST_ELEMENTS: usize = 64;
+const MAX_ELEMENTS: usize = 64;

@@ -65,7 +65,10 @@ mod tests {
         assert_eq!(of(&dash_dot), Some((vec![0.5, 0.25, 0.0, 0.25], 0.0)));
         assert_eq!(of(&[-0.25, 0.5]), Some((vec![0.5, 0.25], -0.25)));
         assert_eq!(of(&[0.5, -0.25, 0.25]), Some((vec![0.75, 0.25], 0.25)));
-        assert_eq!(of(&[0.5, 0.5, -0.1, -0.2]).map(|it| it.0.len()), Some(2));
+        assert_eq!(
+            of(&[0.5, 0.5, -0.1, -0.2]).map(|pattern| pattern.0.len()),
+            Some(2)
+        );
         for solid in [&[][..], &[0.5], &[-0.5], &[0.0, 1.0], &[f64::NAN, -1.0]] {
             assert_eq!(of(solid), None, "{solid:?}");
         }

@@ -375,7 +375,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         block: &'s Block<'a>,
         copy: Copy<'_>,
     ) -> Result<(), SourceError> {
-        if copy.depth == MOST_DEPTH {
+        if copy.depth == MAX_DEPTH {
             return Err(entity.refused("a block inside itself", "blocks nested at most 32 deep"));
         }
         self.spend(Span {
@@ -435,4 +435,4 @@ const LINES: [&[u8]; 7] = [
 const MAX_COPIED: usize = 200_000_000;
 /// The cost of a copy of an empty block, in bytes.
 const MIN_COPY: usize = 100;
-const MOST_DEPTH: u32 = 32;
+const MAX_DEPTH: u32 = 32;

@@ -349,7 +349,7 @@ fn the_edges_of_old_meshes_are_drawn_once() {
     let corners: String = square.map(|(x, y)| vertex(x, y, 192)).concat();
     let face = |corners: &str| format!("0 VERTEX 70 128 10 0 20 0 30 0 {corners} ");
     let faces = |faces: &[&str]| {
-        let faces: String = faces.iter().map(|it| face(it)).collect();
+        let faces: String = faces.iter().map(|corners| face(corners)).collect();
         format!("0 POLYLINE 70 64 71 4 72 2 {corners} {faces} 0 SEQEND")
     };
     let grid = |flags: u32, size: &str| {

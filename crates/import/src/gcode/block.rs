@@ -217,8 +217,8 @@ impl BlockLexer<'_> {
         let digits = self.text[at + 1..].iter().take_while(|byte| is_digit(byte));
         let end = at + 1 + digits.count();
         let rest = &self.text[end..];
-        let behind = rest.iter().find(|byte| !b" \t".contains(byte));
-        if end == at + 1 || !behind.is_none_or(|after| b"\r\n(;".contains(after)) {
+        let next = rest.iter().find(|byte| !b" \t".contains(byte));
+        if end == at + 1 || !next.is_none_or(|after| b"\r\n(;".contains(after)) {
             return Err(self.found(at, WORD));
         }
         self.at = end;
@@ -288,8 +288,8 @@ impl BlockLexer<'_> {
 
 /// Whether a number continues with an exponent, as in `X1e-05`. `X1E5` has a word E after X: that
 /// of an extruder.
-fn has_exponent(word: &[u8], behind: &[u8]) -> bool {
-    match *behind {
+fn has_exponent(word: &[u8], after: &[u8]) -> bool {
+    match *after {
         // Programs write words in upper case, and exponents in lower case.
         [b'e', b'+' | b'-', b'0'..=b'9', ..] | [b'e', b'0'..=b'9', ..] => {
             word.first().is_some_and(u8::is_ascii_uppercase)
@@ -303,8 +303,8 @@ fn has_exponent(word: &[u8], behind: &[u8]) -> bool {
 /// The end of a comment at the start of a text: its own bracket, if inner ones are balanced.
 fn comment_end(line: &[u8]) -> Option<usize> {
     let first = line.iter().position(|&byte| byte == b')')?;
-    let behind = line[first..].iter().position(|&byte| byte == b';');
-    let until = behind.map_or(line.len(), |length| first + length);
+    let semicolon = line[first..].iter().position(|&byte| byte == b';');
+    let until = semicolon.map_or(line.len(), |length| first + length);
     let mut depth = 0_usize;
     let own = line[..until].iter().position(|byte| {
         match byte {

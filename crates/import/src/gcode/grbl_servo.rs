@@ -47,7 +47,7 @@ impl GrblServoStatistics {
         if motion.kind == MoveKind::Dwell {
             self.waited = motion.tool.angle(ServoCode::M3);
         }
-        if motion.stands() {
+        if motion.is_still() {
             return;
         }
         self.angles.count(motion, ServoCode::M3);

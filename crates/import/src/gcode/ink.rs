@@ -49,21 +49,21 @@ impl<'s, 'a> Inker<'s, 'a> {
             self.sketch.warn(motion.at, "drilled hole", instead);
             return Ok(());
         }
-        let stands = motion.stands();
-        self.has_moved |= !stands;
+        let is_still = motion.is_still();
+        self.has_moved |= !is_still;
         // A waiting tool may continue from here: only a dot would be burned.
-        let inks = self.inks(motion) && (stands || !self.stays_dark(motion));
-        match (inks, stands) {
+        let inks = self.inks(motion) && (is_still || !self.stays_dark(motion));
+        match (inks, is_still) {
             (true, true) => {
                 self.stand(motion);
                 Ok(())
             }
             (true, false) => self.ink(motion),
-            (false, stands) => {
+            (false, is_still) => {
                 if let Some(lowered) = self.lowered.take() {
                     self.dot(lowered)?;
                 }
-                if !stands {
+                if !is_still {
                     self.sketch.lift();
                 }
                 Ok(())
@@ -138,7 +138,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         };
         let is_dwell = motion.kind == MoveKind::Dwell;
         let is_by_z = matches!(self.rule, InkRule::Height { .. } | InkRule::HighPen { .. });
-        let (what, instead) = if motion.stands() && (is_by_z || !is_dwell) {
+        let (what, instead) = if motion.is_still() && (is_by_z || !is_dwell) {
             let instead = "not burned, because Z and drilling cycles do not switch a laser on";
             ("hole", instead)
         } else if switch.is_on(motion) {

@@ -152,7 +152,7 @@ pub(super) struct MoveStatistics {
     plunges: Range,
     has_drill_cycle: bool,
     /// Whether it came down by a move along Z only.
-    comes_down: bool,
+    descends: bool,
     zero: ZeroStatistics,
     spindle: SpindleStatistics,
     /// The S above 0 of rapid moves.
@@ -171,9 +171,9 @@ impl MoveStatistics {
         self.all.count(motion.z_mm);
         if let Some(to_mm) = motion.z_mm {
             let from_mm = self.z_mm.replace(to_mm).unwrap_or(to_mm);
-            let comes_down = motion.stands() && from_mm - to_mm >= SAME_HEIGHT_MM;
-            self.comes_down |= comes_down;
-            if comes_down && motion.kind == MoveKind::Line && motion.tool.power.is_some() {
+            let descends = motion.is_still() && from_mm - to_mm >= SAME_HEIGHT_MM;
+            self.descends |= descends;
+            if descends && motion.kind == MoveKind::Line && motion.tool.power.is_some() {
                 self.plunges.count(motion.z_mm);
             }
             self.zero.count(motion, from_mm, to_mm);
@@ -185,7 +185,7 @@ impl MoveStatistics {
         if motion.kind == MoveKind::Dwell {
             self.dwells.count(motion);
         }
-        if motion.stands() {
+        if motion.is_still() {
             return;
         }
         self.high.count(motion);
@@ -341,7 +341,7 @@ impl MoveStatistics {
     fn lifted(&self) -> Option<InkRule> {
         let (lowest, highest) = (self.all.lowest, self.all.highest);
         let of_lines = self.highest_line_mm();
-        if !self.comes_down || of_lines > lowest {
+        if !self.descends || of_lines > lowest {
             return None;
         }
         let (below_mm, source) = if lowest < 0.0 && highest >= 0.0 {

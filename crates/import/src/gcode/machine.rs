@@ -29,7 +29,7 @@ pub(super) struct Move {
 
 impl Move {
     /// Whether the machine moves along Z only, or waits.
-    pub(super) fn stands(&self) -> bool {
+    pub(super) fn is_still(&self) -> bool {
         let is_arc = matches!(
             self.kind,
             MoveKind::Arc { .. } | MoveKind::UprightArc { .. }
@@ -39,7 +39,7 @@ impl Move {
 
     /// Whether it moves along X or Y at a feed rate.
     pub(super) fn is_line(&self) -> bool {
-        !self.stands() && self.kind != MoveKind::Rapid
+        !self.is_still() && self.kind != MoveKind::Rapid
     }
 }
 

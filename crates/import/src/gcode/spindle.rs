@@ -33,7 +33,7 @@ impl SpindleStatistics {
     /// Adds the rise of a move of any kind.
     pub(super) fn count_rise(&mut self, motion: &Move, rise_mm: f64) {
         self.has_risen |= rise_mm > 0.0 && self.has_worked;
-        let plunges = rise_mm < 0.0 && motion.stands() && self.has_risen;
+        let plunges = rise_mm < 0.0 && motion.is_still() && self.has_risen;
         self.has_plunged |= plunges;
         self.has_plunged_on |= plunges && motion.tool.power.is_some();
     }

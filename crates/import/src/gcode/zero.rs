@@ -29,16 +29,16 @@ enum Visit {
 impl ZeroStatistics {
     /// Handles a move of any kind between these heights, in mm.
     pub(super) fn count(&mut self, motion: &Move, from_mm: f64, to_mm: f64) {
-        let (stands, is_line) = (motion.stands(), motion.is_line());
+        let (is_still, is_line) = (motion.is_still(), motion.is_line());
         let slopes = is_line && from_mm != to_mm;
         self.has_slopes |= slopes && (is_zero(from_mm) || is_zero(to_mm));
         let is_above = |z_mm: f64| z_mm >= SAME_HEIGHT_MM;
         self.visit = match self.visit {
-            Visit::Away if stands && is_above(from_mm) && is_zero(to_mm) => Visit::Down,
+            Visit::Away if is_still && is_above(from_mm) && is_zero(to_mm) => Visit::Down,
             Visit::Down if is_line && is_zero(to_mm) => Visit::Drawn,
             visit if is_zero(to_mm) => visit,
             visit => {
-                self.has_visits |= visit == Visit::Drawn && stands && is_above(to_mm);
+                self.has_visits |= visit == Visit::Drawn && is_still && is_above(to_mm);
                 Visit::Away
             }
         };

@@ -145,7 +145,7 @@ impl Cell {
     }
 
     /// Whether labels follow each other; otherwise each is placed separately.
-    pub(super) const fn goes_on(&self) -> bool {
+    pub(super) const fn continues(&self) -> bool {
         self.origin.share.x == 0.0
     }
 

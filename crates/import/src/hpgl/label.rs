@@ -169,7 +169,7 @@ impl Plotter<'_> {
                 self.character(command, character, &cell, &mut cursor, has_pen)?;
             }
             if !line.ends_with('\r') {
-                cursor.at = if cell.goes_on() {
+                cursor.at = if cell.continues() {
                     cursor.at - start
                 } else {
                     cursor.margin

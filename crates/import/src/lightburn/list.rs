@@ -54,7 +54,7 @@ pub(super) fn vertices(
 ) -> Result<Vec<Vertex>, SourceError> {
     let mut list = List::new(file, field, VERTICES);
     let mut vertices = Vec::new();
-    while list.goes_on() {
+    while list.continues() {
         list.word(&["V"]).ok_or_else(|| list.refused())?;
         budget.spend(SHARE)?;
         let at = Point::new(list.number()?, list.number()?);
@@ -83,7 +83,7 @@ pub(super) fn joints(
     }
     let mut list = List::new(file, field, JOINTS);
     let mut joints = Vec::new();
-    while list.goes_on() {
+    while list.continues() {
         budget.spend(SHARE)?;
         let at = list.at();
         let kind = list.word(&["L", "B"]).ok_or_else(|| list.refused())?;
@@ -202,7 +202,7 @@ impl<'d> List<'d> {
             .count();
     }
 
-    fn goes_on(&mut self) -> bool {
+    fn continues(&mut self) -> bool {
         self.skip_spaces();
         !self.rest().is_empty()
     }

@@ -271,7 +271,7 @@ impl LeftOut {
             self.first = at;
         }
         self.count += 1;
-        if self.layers.len() < MOST_NAMES && !self.layers.contains(layer) {
+        if self.layers.len() < MAX_NAMES && !self.layers.contains(layer) {
             self.layers.insert(layer.to_owned());
         }
     }
@@ -294,4 +294,4 @@ fn shapes_in<'d, 'i>(parent: Node<'d, 'i>) -> impl Iterator<Item = Node<'d, 'i>>
 /// The largest nesting depth of groups.
 const MAX_DEPTH: u32 = 100;
 /// The number of layers that a warning names.
-const MOST_NAMES: usize = 6;
+const MAX_NAMES: usize = 6;

@@ -155,8 +155,8 @@ fn round_corners_are_quarters_of_circles() {
 #[test]
 fn corners_that_are_too_round_or_turned_inwards_are_reported() {
     let with = |radius: &str| {
-        let it = format!("Type=\"Rect\" CutIndex=\"0\" W=\"30\" H=\"20\" Cr=\"{radius}\"");
-        read_text(&project(&shape(&it, HERE, "")))
+        let attributes = format!("Type=\"Rect\" CutIndex=\"0\" W=\"30\" H=\"20\" Cr=\"{radius}\"");
+        read_text(&project(&shape(&attributes, HERE, "")))
     };
     let (artwork, warnings) = with("15");
     same(length_mm(&artwork), 20.0 + TAU * 10.0, 0.05);
@@ -288,8 +288,8 @@ proptest! {
         let (sin, cos) = turn.sin_cos();
         let [a, b, c, d] = [size * cos, size * sin, -size * sin, size * cos];
         let frame = format!("{a} {b} {c} {d} {x} {y}");
-        let it = format!("Type=\"Ellipse\" CutIndex=\"0\" Rx=\"{radius}\" Ry=\"{radius}\"");
-        let artwork = draw(&shape(&it, &frame, ""));
+        let attributes = format!("Type=\"Ellipse\" CutIndex=\"0\" Rx=\"{radius}\" Ry=\"{radius}\"");
+        let artwork = draw(&shape(&attributes, &frame, ""));
         let tolerance = ReadOptions::default().tolerance_mm;
         let expected = radius * size;
         let middle = bounds_of_strokes(&artwork.layers[0].strokes).center();

@@ -49,10 +49,10 @@ impl Flow<'_> {
         let (mut points, closed) = self.half(begin, way, 1.0);
         points.insert(0, start);
         if !closed {
-            let (mut behind, _) = self.half(begin, -way, -1.0);
-            behind.reverse();
-            behind.append(&mut points);
-            points = behind;
+            let (mut backward, _) = self.half(begin, -way, -1.0);
+            backward.reverse();
+            backward.append(&mut points);
+            points = backward;
         }
         let stroke = Stroke { points, closed };
         if stroke.length_mm() >= SHORTEST * self.spacing_mm {

@@ -43,9 +43,9 @@ fn scattered(tone: &Tone, seed: u64, spacing_mm: f64) -> Vec<Point> {
                 dots.push(tone.middle(x, y));
             }
             let rest = if is_dot { owed - 1.0 } else { owed };
-            let (ahead, behind) = if forward { (x + 2, x) } else { (x, x + 2) };
+            let (ahead, back) = if forward { (x + 2, x) } else { (x, x + 2) };
             here[ahead] += rest * 7.0 / 16.0;
-            below[behind] += rest * 3.0 / 16.0;
+            below[back] += rest * 3.0 / 16.0;
             below[x + 1] += rest * 5.0 / 16.0;
             below[ahead] += rest / 16.0;
         }
@@ -102,7 +102,7 @@ struct Nearest<'a> {
 
 impl<'a> Nearest<'a> {
     fn new(tone: &'a Tone, dots: &[Point]) -> Self {
-        let mut dot = vec![NOBODY; tone.ink.len()];
+        let mut dot = vec![NO_DOT; tone.ink.len()];
         for (i, p) in (0..).zip(dots) {
             dot[tone.index(*p)] = i;
         }
@@ -122,7 +122,7 @@ impl<'a> Nearest<'a> {
     /// Takes over nearer dots, from the row before and within the row, to the right and back.
     fn sweep(&mut self, dots: &[Point], y: usize, before: Option<usize>) {
         let width = self.tone.width;
-        let mut held = NOBODY;
+        let mut held = NO_DOT;
         for x in (0..width).chain((0..width).rev()) {
             let far = |dot: u32| {
                 let dot = dots.get(dot as usize);
@@ -133,7 +133,7 @@ impl<'a> Nearest<'a> {
             let own = y * width + x;
             let mut best = far(held);
             for other in [Some(own), before.map(|before| before * width + x)] {
-                let other = other.map_or(NOBODY, |other| self.dot[other]);
+                let other = other.map_or(NO_DOT, |other| self.dot[other]);
                 if other != held && far(other) < best {
                     (best, held) = (far(other), other);
                 }
@@ -143,7 +143,7 @@ impl<'a> Nearest<'a> {
     }
 }
 
-const NOBODY: u32 = u32::MAX;
+const NO_DOT: u32 = u32::MAX;
 /// The area of a dot in the densest packing, in square spacings.
 const HEXAGON: f64 = 0.866;
 /// Less ink counts as white.

@@ -302,16 +302,16 @@ fn a_lighter_picture_has_less_ink_and_more_contrast_separates_tones() {
         })
     };
     let plain = ink_mm(&|_| ());
-    let lighter = ink_mm(&|it| it.brightness = 0.2);
-    let gamma = ink_mm(&|it| it.darkness = 0.5);
+    let lighter = ink_mm(&|options| options.brightness = 0.2);
+    let gamma = ink_mm(&|options| options.darkness = 0.5);
     assert!(lighter[0] + lighter[1] < 0.9 * (plain[0] + plain[1]));
     assert!(gamma[0] + gamma[1] < 0.9 * (plain[0] + plain[1]));
-    let steep = ink_mm(&|it| it.contrast = 0.6);
+    let steep = ink_mm(&|options| options.contrast = 0.6);
     assert!(
         steep[0] > plain[0] && steep[1] < plain[1],
         "{plain:?} {steep:?}"
     );
-    let two_tones = ink_mm(&|it| it.threshold = Some(0.5));
+    let two_tones = ink_mm(&|options| options.threshold = Some(0.5));
     assert!(
         two_tones[0] > plain[0] && two_tones[1] < 0.2 * plain[1],
         "{plain:?} {two_tones:?}"
@@ -627,19 +627,19 @@ fn settings_out_of_range_are_named() {
         read(&file, &options).unwrap_err().to_string()
     };
     assert_eq!(
-        message(|it| it.spacing_mm = f64::NAN),
+        message(|options| options.spacing_mm = f64::NAN),
         "the spacing of the shading is NaN; allowed is a number above 0, in mm"
     );
     assert_eq!(
-        message(|it| it.levels = 9),
+        message(|options| options.levels = 9),
         "the levels of the shading is 9; allowed is from 1 to 8"
     );
     assert_eq!(
-        message(|it| it.threshold = Some(1.0)),
+        message(|options| options.threshold = Some(1.0)),
         "the threshold of the shading is 1; allowed is between 0 and 1"
     );
-    assert!(message(|it| it.darkness = 0.0).starts_with("the darkness"));
-    assert!(message(|it| it.angle_deg = f64::INFINITY).starts_with("the angle"));
+    assert!(message(|options| options.darkness = 0.0).starts_with("the darkness"));
+    assert!(message(|options| options.angle_deg = f64::INFINITY).starts_with("the angle"));
 }
 
 #[test]

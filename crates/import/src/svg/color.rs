@@ -6,10 +6,10 @@ use svgtypes::Color;
 
 /// The CSS name of a colour, or its hexadecimal digits.
 pub(crate) fn name(rgb: [u8; 3]) -> String {
-    let is_it = |name: &&str| {
+    let is_match = |name: &&str| {
         Color::from_str(name).is_ok_and(|color| [color.red, color.green, color.blue] == rgb)
     };
-    match NAMES.split_whitespace().find(is_it) {
+    match NAMES.split_whitespace().find(is_match) {
         Some(name) => name.to_owned(),
         None => format!("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]),
     }
@@ -49,9 +49,9 @@ mod tests {
 
     #[test]
     fn every_name_is_known_to_css() {
-        for it in NAMES.split_whitespace() {
-            let color = Color::from_str(it).unwrap();
-            assert_eq!(&name([color.red, color.green, color.blue]), it);
+        for known in NAMES.split_whitespace() {
+            let color = Color::from_str(known).unwrap();
+            assert_eq!(&name([color.red, color.green, color.blue]), known);
         }
     }
 }

@@ -74,7 +74,7 @@ impl<'a> Variables<'a> {
     /// The value of a function unknown to the library, at the start of a text after its name, if
     /// its brackets are closed.
     fn value(&self, name: &str, text: &str, depth: u32) -> Option<(String, usize)> {
-        if depth == MOST_DEPTH || !FUNCTIONS.contains(&name) {
+        if depth == MAX_DEPTH || !FUNCTIONS.contains(&name) {
             return None;
         }
         let end = closed(text, ['(', ')']);
@@ -224,7 +224,7 @@ fn without_line_heights(css: &str) -> String {
         let (before, font) = rest.split_at(at + "font".len());
         whole += before;
         let end = font.find([';', '}']).unwrap_or(font.len());
-        let (value, behind) = font.split_at(end);
+        let (value, after) = font.split_at(end);
         let is_font = value.trim_start().starts_with(':');
         match value.split_once('/').filter(|_| is_font) {
             Some((size, height)) => {
@@ -234,7 +234,7 @@ fn without_line_heights(css: &str) -> String {
             }
             None => whole += value,
         }
-        rest = behind;
+        rest = after;
     }
     whole + rest
 }
@@ -297,7 +297,7 @@ fn is_of_name(sign: char) -> bool {
 }
 
 /// The largest depth of variables in variables.
-pub(super) const MOST_DEPTH: u32 = 8;
+pub(super) const MAX_DEPTH: u32 = 8;
 /// More would fill the memory.
 const MAX_BYTES: usize = 20_000_000;
 /// The functions that are replaced by their values.

@@ -8,7 +8,7 @@ use super::styles::sheets;
 /// The elements for which a style declares a property.
 pub(super) struct Declared<'a> {
     /// Whether a name and a value are the property.
-    is_it: fn(&str, &str) -> bool,
+    is_match: fn(&str, &str) -> bool,
     /// The rules that declare it.
     selectors: Vec<&'a Selector<'a>>,
 }
@@ -23,13 +23,13 @@ pub(super) fn rules<'a>(doc: &'a Document<'_>) -> StyleSheet<'a> {
 }
 
 impl<'a> Declared<'a> {
-    pub(super) fn of(sheet: &'a StyleSheet<'a>, is_it: fn(&str, &str) -> bool) -> Self {
+    pub(super) fn of(sheet: &'a StyleSheet<'a>, is_match: fn(&str, &str) -> bool) -> Self {
         let declares = sheet.rules.iter().filter(|rule| {
             let mut declarations = rule.declarations.iter();
-            declarations.any(|declaration| is_it(declaration.name, declaration.value))
+            declarations.any(|declaration| is_match(declaration.name, declaration.value))
         });
         Self {
-            is_it,
+            is_match,
             selectors: declares.map(|rule| &rule.selector).collect(),
         }
     }
@@ -37,7 +37,7 @@ impl<'a> Declared<'a> {
     pub(super) fn of_element(&self, node: Node<'_, '_>) -> bool {
         let style = node.attribute("style").unwrap_or_default();
         let mut own = style.split(';').filter_map(|part| part.split_once(':'));
-        own.any(|(name, value)| (self.is_it)(name.trim(), value.trim()))
+        own.any(|(name, value)| (self.is_match)(name.trim(), value.trim()))
             || self
                 .selectors
                 .iter()

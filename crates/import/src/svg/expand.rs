@@ -36,7 +36,7 @@ pub(crate) fn check(
         let limit = MAX_WITH_GROUPS;
         return Err(SvgError::TooManyGroups { limit });
     }
-    if cost.styles > styles::MOST {
+    if cost.styles > styles::MAX_WORK {
         return Err(SvgError::LongStyles);
     }
     if cost.segments > MAX_COPIED_SEGMENTS {

@@ -79,7 +79,7 @@ impl Marks {
         if known.is_none() {
             self.questions.push(question);
         }
-        (number < MOST).then(|| name(number))
+        (number < MAX_TESTS).then(|| name(number))
     }
 
     /// The marks of all elements, by node number; empty without tests.
@@ -142,10 +142,10 @@ impl Question {
                     }
             }
             Self::Place { step, offset, .. } => {
-                let behind = place - offset;
+                let distance = place - offset;
                 match step {
-                    0 => behind == 0,
-                    _ => behind % step == 0 && behind / step >= 0,
+                    0 => distance == 0,
+                    _ => distance % step == 0 && distance / step >= 0,
                 }
             }
             Self::Not(selectors) => {
@@ -279,7 +279,7 @@ fn name(number: usize) -> String {
 }
 
 /// The largest number of tests; with more, rules are ignored.
-const MOST: usize = 20;
+const MAX_TESTS: usize = 20;
 
 #[cfg(test)]
 mod tests {
@@ -355,7 +355,7 @@ mod tests {
             assert!(marks.questions.is_empty());
         }
         let mut marks = Marks::default();
-        let all: Vec<String> = (0..=MOST).map(|i| format!("[a^=x{i}]")).collect();
+        let all: Vec<String> = (0..=MAX_TESTS).map(|i| format!("[a^=x{i}]")).collect();
         assert_eq!(marks.readable(&all.join(",")), None);
     }
 

@@ -10,7 +10,7 @@ use std::borrow::Cow;
 
 use simplecss::Selector;
 
-use super::css::{MOST_DEPTH, Variables, closed, replaced};
+use super::css::{MAX_DEPTH, Variables, closed, replaced};
 use super::selectors::Marks;
 
 /// A rewritten sheet.
@@ -124,7 +124,7 @@ fn without_comments(mut css: &str) -> &str {
 /// Flattens the blocks of at-rules that apply to a page on a light screen.
 fn unwrapped(css: &str, depth: u32) -> String {
     let unwrap = |statement: Statement<'_>| match statement.body {
-        Some(body) if depth < MOST_DEPTH && holds(statement.prelude) => unwrapped(body, depth + 1),
+        Some(body) if depth < MAX_DEPTH && holds(statement.prelude) => unwrapped(body, depth + 1),
         _ => statement.whole.to_owned(),
     };
     statements(css).map(unwrap).collect()

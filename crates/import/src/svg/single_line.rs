@@ -183,13 +183,13 @@ fn spelled(chunk: &TextChunk, span: &TextSpan, font: StrokeFont) -> Vec<(char, u
     while !rest.is_empty() {
         let mut following = rest.char_indices().skip(1);
         let end = following.find(|following| !is_combining_mark(following.1));
-        let (parts, behind) = rest.split_at(end.map_or(rest.len(), |end| end.0));
+        let (parts, after) = rest.split_at(end.map_or(rest.len(), |end| end.0));
         // The shifts of all characters apply to the first.
         let mut number = parts.chars().count();
         for character in composed(parts, font).chars() {
             spelled.push((character, std::mem::take(&mut number)));
         }
-        rest = behind;
+        rest = after;
     }
     spelled
 }

@@ -17,11 +17,11 @@ pub(super) fn check(doc: &Document<'_>) -> Result<(), SourceError> {
         let texts = sheet.children().filter_map(|child| child.text());
         for text in texts {
             rules += count(text, b"{,");
-            if declared(text) > MOST {
+            if declared(text) > MAX_WORK {
                 return Err(refused(doc, sheet, "a sheet of fewer or shorter rules"));
             }
         }
-        if rules.saturating_mul(elements) > MOST {
+        if rules.saturating_mul(elements) > MAX_WORK {
             return Err(refused(doc, sheet, "fewer rules for so many elements"));
         }
     }
@@ -53,4 +53,4 @@ fn refused(doc: &Document<'_>, sheet: Node<'_, '_>, expected: &str) -> SourceErr
 }
 
 /// This takes about a second.
-pub(super) const MOST: u64 = 500_000_000;
+pub(super) const MAX_WORK: u64 = 500_000_000;

@@ -663,8 +663,8 @@ fn unsupported_styles_of_single_line_letters_are_reported_once_with_their_line()
     );
     let (_, warnings) = Drawing::from_svg(&text, &options).unwrap();
     let mut reported: Vec<(String, usize, u32)> = Vec::new();
-    for it in warnings {
-        reported.push((it.what, it.count, it.place.unwrap().line));
+    for warning in warnings {
+        reported.push((warning.what, warning.count, warning.place.unwrap().line));
     }
     reported.sort();
     let wanted = [

@@ -74,7 +74,7 @@ fn damage_never_loses_queued_work_silently() {
     let ended = fs::read(&path).unwrap();
     let counted = fs::read(&count).unwrap();
 
-    let (mut refused, mut told) = (0, 0);
+    let (mut refused, mut reported) = (0, 0);
     for case in 0..CASES {
         let mut chance = Random::sequence(11, case);
         let bytes = if case % 2 == 0 { &killed } else { &ended };
@@ -87,11 +87,14 @@ fn damage_never_loses_queued_work_silently() {
                 assert!(text.contains("journal.redb"), "case {case}, {what}: {text}");
                 refused += 1;
             }
-            Ok((_, missing)) if missing > 0 => told += 1,
+            Ok((_, missing)) if missing > 0 => reported += 1,
             Ok((found, _)) => assert!(found == whole, "case {case}, {what}: jobs are missing"),
         }
     }
-    assert!(refused > 10 && told > 0, "refused {refused}, told {told}");
+    assert!(
+        refused > 10 && reported > 0,
+        "refused {refused}, reported {reported}"
+    );
 }
 
 /// Jobs with their commands.

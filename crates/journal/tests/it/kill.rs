@@ -16,7 +16,7 @@ fn twenty_kills_lose_no_acknowledged_row() {
     let mut acknowledged = BTreeMap::new();
     for round in 0..20 {
         let child = start(&path);
-        hear_and_kill(child, 1 + (round * 7) % 23, &mut acknowledged);
+        read_and_kill(child, 1 + (round * 7) % 23, &mut acknowledged);
         check(&path, &acknowledged);
     }
     assert!(acknowledged.len() >= 20, "{} jobs", acknowledged.len());
@@ -58,9 +58,9 @@ fn start(path: &Path) -> Child {
 }
 
 /// Reads the acknowledgements, kills the program after some of them, and reads the rest.
-fn hear_and_kill(mut child: Child, lines: usize, acknowledged: &mut BTreeMap<u64, usize>) {
+fn read_and_kill(mut child: Child, lines: usize, acknowledged: &mut BTreeMap<u64, usize>) {
     let out = BufReader::new(child.stdout.take().unwrap());
-    let mut heard = 0;
+    let mut received = 0;
     for line in out.lines() {
         let line = line.unwrap();
         let Some(row) = line.strip_prefix(ACKNOWLEDGED) else {
@@ -69,13 +69,13 @@ fn hear_and_kill(mut child: Child, lines: usize, acknowledged: &mut BTreeMap<u64
         let mut numbers = row.split_whitespace().map(|number| number.parse().unwrap());
         let (id, upto) = (numbers.next().unwrap(), numbers.next().unwrap());
         acknowledged.insert(id, usize::try_from(upto).unwrap());
-        heard += 1;
-        if heard == lines {
+        received += 1;
+        if received == lines {
             child.kill().unwrap();
         }
     }
     child.wait().unwrap();
-    assert!(heard >= lines, "the program ended by itself");
+    assert!(received >= lines, "the program ended by itself");
 }
 
 fn check(path: &Path, acknowledged: &BTreeMap<u64, usize>) {

@@ -65,7 +65,7 @@ fn a_flipped_bit_on_the_disk_is_reported_or_harmless() {
         journal.submit(&new_job(commands)).unwrap();
     }
     let written = Content::read(&journal);
-    let mut told = 0;
+    let mut reported = 0;
     // JobHistory a crash it would look like a commit that the power cut off.
     drop(journal);
     for offset in (0..512).chain((512..disk.length()).step_by(97)) {
@@ -76,12 +76,12 @@ fn a_flipped_bit_on_the_disk_is_reported_or_harmless() {
             Ok(journal) => assert_eq!(Content::read(&journal), written, "byte {offset}"),
             Err(JournalError::Damaged { .. } | JournalError::Foreign { .. }) => {
                 assert!(left.content() == found, "byte {offset}");
-                told += 1;
+                reported += 1;
             }
             Err(error) => panic!("byte {offset}: {error}"),
         }
     }
-    assert!(told > 0);
+    assert!(reported > 0);
 }
 
 fn open(disk: &Disk) -> Result<Journal, JournalError> {

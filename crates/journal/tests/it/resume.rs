@@ -48,7 +48,7 @@ struct Life {
     /// The number of commands that the arm does between two checks by the program.
     done_between: Vec<usize>,
     /// The number of given commands that the arm still does after the crash.
-    done_behind: usize,
+    done_after: usize,
     /// Whether the program has the pen lifted as its last act.
     lifts: bool,
     /// The maximum number of commands of a window.
@@ -58,7 +58,7 @@ struct Life {
 impl Life {
     const UNDISTURBED: Self = Self {
         done_between: Vec::new(),
-        done_behind: usize::MAX,
+        done_after: usize::MAX,
         lifts: false,
         most: 8,
     };
@@ -71,9 +71,9 @@ fn life() -> impl Strategy<Value = Life> {
         any::<bool>(),
         1_usize..17,
     )
-        .prop_map(|(done_between, done_behind, lifts, most)| Life {
+        .prop_map(|(done_between, done_after, lifts, most)| Life {
             done_between,
-            done_behind,
+            done_after,
             lifts,
             most,
         })
@@ -97,13 +97,13 @@ fn live(journal: &Journal, id: JobId, arm: &mut Arm, life: &Life) {
         }
         match rounds.next() {
             Some(&count) => arm.work(&commands[..window.upto], count),
-            None if life.done_behind == usize::MAX => {
+            None if life.done_after == usize::MAX => {
                 arm.work(&commands[..window.upto], usize::MAX);
             }
             None => break,
         }
     }
-    arm.work(&commands[..window.upto], life.done_behind);
+    arm.work(&commands[..window.upto], life.done_after);
     if life.lifts {
         arm.lift(LIFT_MM);
     }
@@ -187,13 +187,14 @@ impl Arm {
     }
 
     /// Returns the program's model: the last report and the settings sent before.
-    fn model(&self, dialect: Dialect, told: &[Command]) -> Model {
+    fn model(&self, dialect: Dialect, commands: &[Command]) -> Model {
         let mut pose = program::model(dialect).place.pose;
         pose.position = self.at;
         let place = ArmPlace::at_pose(pose, Tool::SuctionCup).unwrap();
         let model = Model::standing(dialect, place);
-        let told = prelude(told);
-        told.iter()
+        let commands = prelude(commands);
+        commands
+            .iter()
             .fold(model, |model, command| model.begun(command))
     }
 }

@@ -278,8 +278,8 @@ fn a_file_of_another_program_is_named_and_not_touched() {
         let error = Journal::open(&path).unwrap_err();
         assert!(matches!(error, JournalError::Foreign { .. }), "{error}");
         assert!(error.to_string().contains(name), "{error}");
-        let is_told = !content.is_empty() || error.to_string().contains("it is empty");
-        assert!(is_told, "{error}");
+        let is_reported = !content.is_empty() || error.to_string().contains("it is empty");
+        assert!(is_reported, "{error}");
         assert_eq!(fs::read(&path).unwrap(), content);
     }
 }

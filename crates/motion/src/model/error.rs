@@ -45,7 +45,7 @@ pub enum TrajectoryError {
     NothingToFollow,
     /// A motion or a pause with too many ticks for a stock arm's counter.
     #[error(
-        "the motion takes {found} s; a stock arm counts up to {MOST_COUNTED_S} s, then deviates or never ends (note N51); make it shorter"
+        "the motion takes {found} s; a stock arm counts up to {MAX_COUNTED_S} s, then deviates or never ends (note N51); make it shorter"
     )]
     Uncounted {
         /// The duration, in seconds.
@@ -101,4 +101,4 @@ impl From<PlanError> for TrajectoryError {
 pub const LONGEST_S: f64 = 3600.0;
 /// The range of a stock arm's counter, in seconds: 32767 ticks of 20 ms, less a margin for rounding
 /// and ramps.
-pub(crate) const MOST_COUNTED_S: f64 = 640.0;
+pub(crate) const MAX_COUNTED_S: f64 = 640.0;

@@ -2,7 +2,7 @@
 
 use dobot_arm::{Position, TICK_S, Tool, Unreachable};
 
-use super::error::{LONGEST_S, MOST_COUNTED_S};
+use super::error::{LONGEST_S, MAX_COUNTED_S};
 use super::left_speed::LeftSpeed;
 use super::motion::Motion;
 use crate::{ArmPlace, JogTrajectory, Model, TrajectoryError};
@@ -193,12 +193,12 @@ impl Trajectory {
     /// Checks that a stock arm can count the ticks of motion and pause in 16 bits.
     pub(crate) fn check_counters(&self) -> Result<(), TrajectoryError> {
         let motion_s = self.motion_s().unwrap_or(0.0);
-        let found = if motion_s > MOST_COUNTED_S {
+        let found = if motion_s > MAX_COUNTED_S {
             motion_s
         } else {
             self.pause_s
         };
-        if found > MOST_COUNTED_S {
+        if found > MAX_COUNTED_S {
             return Err(TrajectoryError::Uncounted { found });
         }
         Ok(())

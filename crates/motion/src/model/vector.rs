@@ -4,7 +4,7 @@ use crate::{Stroke, StrokeSpeeds, TickStroke};
 use dobot_arm::{Pose, Position, TICK_S, stock};
 use dobot_wire::{WriteMode, WriteVector};
 
-use super::error::MOST_COUNTED_S;
+use super::error::MAX_COUNTED_S;
 use super::left_speed::{CREEPS_MM_S, LeftSpeed};
 use super::motion::Motion;
 use super::place::position;
@@ -25,7 +25,7 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Trajectory, 
         .as_ref()
         .map_or(by, |strokes| strokes.executed(by));
     let stroke = Stroke::new(from.position, by, &speeds)?;
-    if model.dialect.counts_ticks_in_16_bits && stroke.duration_s() > MOST_COUNTED_S {
+    if model.dialect.counts_ticks_in_16_bits && stroke.duration_s() > MAX_COUNTED_S {
         let found = stroke.duration_s();
         return Err(TrajectoryError::Uncounted { found });
     }

@@ -4,14 +4,14 @@ use dobot_geometry::{Point, Stroke};
 use dobot_motion::TickStroke;
 
 use crate::laser::laser_path::{
-    LEAST_BURN_MM, LaserPath, NEAR_MM, Parted, SwitchLead, burn_speed_mm_s, burnable,
+    LaserPath, MIN_BURN_MM, NEAR_MM, Parted, SwitchLead, burn_speed_mm_s, burnable,
 };
 use crate::path::commands::write;
 use crate::path::planner::{Planner, Settled};
 use crate::speed::chain::ChainSpeeds;
 use crate::speed::objective::Objective;
 use crate::ticks::TICK_S;
-use crate::ticks::tick_fit::LEAST_BURN_MM_S;
+use crate::ticks::tick_fit::MIN_BURN_MM_S;
 use crate::ticks::ticker::Ticker;
 use crate::{Laser, MoveKind, PlannedVector};
 
@@ -37,7 +37,7 @@ impl Planner<'_> {
         let (mut planned, mut is_planned) = (0, false);
         // Variants are ordered by preference: stop at the first that is good enough.
         'ways: for way in BurnVariant::all() {
-            let is_over_budget = planned > MOST_PLANNED;
+            let is_over_budget = planned > MAX_PLANNED;
             let goes = |attempt: BurnAttempt| {
                 attempt.is_within(way.worth_mm) || is_over_budget && !attempt.fails
             };
@@ -87,10 +87,7 @@ impl Planner<'_> {
     /// Plans the stroke once and returns where the laser is switched.
     fn burn_once(&mut self, points: &[Point], laser: &Laser, tried: &BurnAttempt) -> SwitchLead {
         let asked = laser.burn_speed_mm_s;
-        let least = self
-            .arm_limits
-            .least_kept_mm_s()
-            .max(LEAST_BURN_MM_S.into());
+        let least = self.arm_limits.least_kept_mm_s().max(MIN_BURN_MM_S.into());
         let speed = (asked * tried.way.speed_share).max(asked.min(least));
         let longer_mm = tried.way.longer_ticks * f64::from(TICK_S) * speed;
         let path = LaserPath::of(
@@ -175,8 +172,8 @@ impl Planner<'_> {
             .map(|speeds| speeds.start_mm_s.min(speeds.end_mm_s).min(speeds.max_mm_s))
             .fold(limit_mm_s, f64::min);
         // Where the slowest part is much slower, even burning would make the whole stroke too slow.
-        if slowest_mm_s * MOST_SPREAD >= limit_mm_s {
-            let least_mm_s = f64::from(LEAST_BURN_MM_S);
+        if slowest_mm_s * MAX_SPREAD >= limit_mm_s {
+            let least_mm_s = f64::from(MIN_BURN_MM_S);
             let even_mm_s = if limit_mm_s < least_mm_s {
                 slowest_mm_s
             } else {
@@ -259,7 +256,7 @@ impl BurnVariant {
 /// The maximum number of attempts per variant.
 const BURN_ROUNDS: u32 = 12;
 /// After this many planned vectors no more variants are tried.
-const MOST_PLANNED: usize = 5_000;
+const MAX_PLANNED: usize = 5_000;
 const LONGER_TICKS: [f64; 5] = [0.0, 0.7, 1.4, 2.1, 2.8];
 /// Slower variants burn more and divided ones may be slower: they must be worth it. An error of
 /// half the shortest burn is unavoidable where the laser is switched at a corner.
@@ -269,12 +266,12 @@ const WAYS: [BurnVariant; 7] = [
     BurnVariant::new(1.0, Parted::AtBoth, 0.025),
     BurnVariant::new(0.97, Parted::Nowhere, 0.025),
     BurnVariant::new(0.97, Parted::AtBoth, 0.025),
-    BurnVariant::new(0.9, Parted::Nowhere, 0.5 * LEAST_BURN_MM),
+    BurnVariant::new(0.9, Parted::Nowhere, 0.5 * MIN_BURN_MM),
     // Burns much more; only for strokes in which the arm would deviate from the plan otherwise.
     BurnVariant::new(0.8, Parted::Nowhere, f64::INFINITY),
 ];
 /// The factor by which burning per millimetre may increase to make it even.
-const MOST_SPREAD: f64 = 1.2;
+const MAX_SPREAD: f64 = 1.2;
 
 #[cfg(test)]
 mod tests {
@@ -397,7 +394,7 @@ mod tests {
             let off = deviation(&strokes, &lit(&plan));
             // 0.01 in nine of ten strokes, 0.033 in 99 %, and at most 0.069 in eight thousand, for
             // a sharp first corner as close to the start as a laser burns at all.
-            prop_assert!(off.largest_mm() <= LEAST_BURN_MM, "{off:?}");
+            prop_assert!(off.largest_mm() <= MIN_BURN_MM, "{off:?}");
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use dobot_geometry::{Point, Stroke, Vec2, bounds, distance_from_chord};
 
-use crate::path::planner::LEAST_VECTOR_MM;
+use crate::path::planner::MIN_VECTOR_MM;
 use crate::ticks::TICK_S;
 use crate::{ArmLimits, Laser};
 
@@ -76,17 +76,17 @@ impl LaserPath {
         let out = unit(last - points[points.len() - 2]).expect("burnable points lie apart");
         let off = last + out * lead.off_mm;
         let mut path = points[..points.len() - 1].to_vec();
-        if parted != Parted::Nowhere && lead.off_mm >= LEAST_BURN_MM {
+        if parted != Parted::Nowhere && lead.off_mm >= MIN_BURN_MM {
             path.push(last);
         }
         path.push(off);
         let on_mm = switchable_mm(&mut path, lead.on_mm);
         let (mut off_to, on_to) = split(&path, on_mm);
-        if parted == Parted::AtBoth && on_mm >= LEAST_BURN_MM {
+        if parted == Parted::AtBoth && on_mm >= MIN_BURN_MM {
             off_to.insert(0, first);
         }
         let gain_mm = gain_mm(speed_mm_s, arm_limits);
-        let run_out = off + out * packet_mm(speed_mm_s, arm_limits).max(LEAST_RUN_OUT_MM);
+        let run_out = off + out * packet_mm(speed_mm_s, arm_limits).max(MIN_RUN_OUT_MM);
         Self {
             run_up: first - into * (gain_mm + longer_mm),
             off_to,
@@ -99,8 +99,8 @@ impl LaserPath {
 }
 
 /// Returns the possible switching point closest to the wanted one: the next vector must not be
-/// shorter than [`LEAST_BURN_MM`]. A closer corner is removed if that is invisible. Otherwise the
-/// laser is switched at that corner or [`LEAST_BURN_MM`] before it, with an error of at most half
+/// shorter than [`MIN_BURN_MM`]. A closer corner is removed if that is invisible. Otherwise the
+/// laser is switched at that corner or [`MIN_BURN_MM`] before it, with an error of at most half
 /// of that.
 ///
 /// ```text
@@ -116,10 +116,10 @@ fn switchable_mm(path: &mut [Point], wanted_mm: f64) -> f64 {
         corner_mm += path[corner].distance(path[corner - 1]);
     }
     let left_mm = corner_mm - wanted_mm;
-    if left_mm >= LEAST_BURN_MM {
+    if left_mm >= MIN_BURN_MM {
         return wanted_mm;
     }
-    let before_mm = (corner_mm - LEAST_BURN_MM).max(0.0);
+    let before_mm = (corner_mm - MIN_BURN_MM).max(0.0);
     if corner + 1 == path.len() {
         return before_mm;
     }
@@ -127,10 +127,10 @@ fn switchable_mm(path: &mut [Point], wanted_mm: f64) -> f64 {
     let on = b.lerp(a, left_mm / b.distance(a));
     let [of_b, of_on, of_next] = [b, on, next].map(|p| [p.x, p.y]);
     let is_straight = distance_from_chord(of_b, of_on, of_next) <= NEAR_MM;
-    if is_straight && on.distance(next) >= LEAST_BURN_MM {
+    if is_straight && on.distance(next) >= MIN_BURN_MM {
         path[corner] = on;
         wanted_mm
-    } else if left_mm <= 0.5 * LEAST_BURN_MM {
+    } else if left_mm <= 0.5 * MIN_BURN_MM {
         corner_mm
     } else {
         before_mm
@@ -140,7 +140,7 @@ fn switchable_mm(path: &mut [Point], wanted_mm: f64) -> f64 {
 /// Returns the maximum distance of the laser beyond the ends of a stroke, in mm.
 pub(crate) fn run_mm(laser: &Laser, arm_limits: &ArmLimits) -> f64 {
     let speed_mm_s = laser.burn_speed_mm_s;
-    let run_out_mm = packet_mm(speed_mm_s, arm_limits).max(LEAST_RUN_OUT_MM);
+    let run_out_mm = packet_mm(speed_mm_s, arm_limits).max(MIN_RUN_OUT_MM);
     SwitchLead::at_speed(laser, arm_limits).off_mm + run_out_mm + gain_mm(speed_mm_s, arm_limits)
 }
 
@@ -161,7 +161,7 @@ fn packet_mm(speed_mm_s: f64, arm_limits: &ArmLimits) -> f64 {
     speed_mm_s * arm_limits.link.period_s * RUN_SPARE
 }
 
-/// Returns the corners of a burned stroke, at least [`LEAST_BURN_MM`] apart: the link takes as long
+/// Returns the corners of a burned stroke, at least [`MIN_BURN_MM`] apart: the link takes as long
 /// for a shorter vector as for any other, so the laser would burn a hole. For a stroke shorter than
 /// that, returns only its start.
 #[must_use]
@@ -170,13 +170,13 @@ pub fn burned_corners(stroke: &Stroke) -> Vec<Point> {
     for &p in &stroke.points {
         if points
             .last()
-            .is_none_or(|last: &Point| p.distance(*last) >= LEAST_BURN_MM)
+            .is_none_or(|last: &Point| p.distance(*last) >= MIN_BURN_MM)
         {
             points.push(p);
         }
     }
     if let ([.., before, end], Some(&last)) = (points.as_mut_slice(), stroke.points.last())
-        && last.distance(*before) >= LEAST_BURN_MM
+        && last.distance(*before) >= MIN_BURN_MM
     {
         *end = last;
     }
@@ -233,16 +233,16 @@ fn direction_of(mut segments: impl Iterator<Item = (Point, Point)>) -> Option<Ve
 
 fn unit(way: Vec2) -> Option<Vec2> {
     let length = way.length();
-    (length >= LEAST_VECTOR_MM).then(|| way * (1.0 / length))
+    (length >= MIN_VECTOR_MM).then(|| way * (1.0 / length))
 }
 
 /// The length of the line that a laser burns for a dot: the width of its spot.
 pub const DOT_MM: f64 = 0.2;
 /// The minimum length of a burned vector, except for shorter strokes: the laser would burn a hole
 /// because of the link.
-pub const LEAST_BURN_MM: f64 = 0.08;
+pub const MIN_BURN_MM: f64 = 0.08;
 /// A distance that is invisible when burned.
 pub(crate) const NEAR_MM: f64 = 0.005;
-const LEAST_RUN_OUT_MM: f64 = 0.1;
+const MIN_RUN_OUT_MM: f64 = 0.1;
 /// The extra length of acceleration and braking, for rounding.
 const RUN_SPARE: f64 = 1.01;

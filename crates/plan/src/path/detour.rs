@@ -33,7 +33,7 @@ pub fn detour(from: Point, to: Point, nearest_mm: f64) -> Vec<Point> {
     let first = from.atan2() + side * touches(from);
     #[expect(clippy::cast_possible_truncation, reason = "at most a few dozen")]
     #[expect(clippy::cast_sign_loss, reason = "an arc is above 0")]
-    let count = (arc / MOST_STEP).ceil() as u32;
+    let count = (arc / MAX_STEP).ceil() as u32;
     let step = arc / f64::from(count);
     let corner_mm = radius_mm / (0.5 * step).cos();
     let corner = |i: u32| first + side * step * (f64::from(i) + 0.5);
@@ -43,7 +43,7 @@ pub fn detour(from: Point, to: Point, nearest_mm: f64) -> Vec<Point> {
 }
 
 /// The polygon is at most 3.5 % farther from the axis than the arc.
-const MOST_STEP: f64 = PI / 6.0;
+const MAX_STEP: f64 = PI / 6.0;
 
 #[cfg(test)]
 mod tests {
@@ -56,11 +56,11 @@ mod tests {
         let legs = way.windows(2).map(|pair| {
             let (a, leg) = (pair[0].to_vec2(), pair[1] - pair[0]);
             let along = (-a.dot(leg) / leg.hypot2().max(1e-12)).clamp(0.0, 1.0);
-            let behind = a.y * (a.y + leg.y) < 0.0 && {
+            let passes_behind = a.y * (a.y + leg.y) < 0.0 && {
                 let share = a.y / (a.y - (a.y + leg.y));
                 a.x + share * leg.x < 0.0
             };
-            ((a + leg * along).hypot(), behind)
+            ((a + leg * along).hypot(), passes_behind)
         });
         legs.fold((f64::INFINITY, false), |all, leg| {
             (all.0.min(leg.0), all.1 || leg.1)
@@ -105,10 +105,10 @@ mod tests {
         ) {
             let [a, b] = [from, to].map(|(mm, angle)| (Vec2::from_angle(angle) * mm).to_point());
             let way = whole(a, b, least_mm);
-            let (found_mm, behind) = nearest_mm(&way);
+            let (found_mm, passes_behind) = nearest_mm(&way);
             let allowed_mm = f64::min(least_mm, f64::min(from.0, to.0));
             prop_assert!(found_mm >= allowed_mm - 1e-9, "{found_mm} mm: {way:?}");
-            prop_assert!(!behind || least_mm == 0.0, "{way:?}");
+            prop_assert!(!passes_behind || least_mm == 0.0, "{way:?}");
             let farthest_mm = f64::max(f64::max(from.0, to.0), allowed_mm * 1.036);
             prop_assert!(way.iter().all(|p| p.to_vec2().hypot() <= farthest_mm + 1e-9), "{way:?}");
         }

@@ -17,7 +17,7 @@ use crate::path::commands::write;
 use crate::path::endpoint::Endpoint;
 use crate::path::planner::round_down;
 use crate::ticks::TICK_S;
-use crate::ticks::tick_fit::{LEAST_BURN_MM_S, LEAST_END_MM_S, NEAR};
+use crate::ticks::tick_fit::{MIN_BURN_MM_S, MIN_END_MM_S, NEAR};
 use crate::ticks::ticker::{Ticker, length};
 use crate::{ArmLimits, DrawingTool, MoveKind, PlannedVector};
 
@@ -64,9 +64,9 @@ impl Pieces {
         };
         let whole = planned.run(vector);
         let continues_alike = |pieces: &Vec<PlannedVector>| {
-            let mut behind = divided.clone();
-            behind.run_all(pieces);
-            next.is_none_or(|next| is_alike(&planned.tick_stroke(next), &behind.tick_stroke(next)))
+            let mut after = divided.clone();
+            after.run_all(pieces);
+            next.is_none_or(|next| is_alike(&planned.tick_stroke(next), &after.tick_stroke(next)))
         };
         let pieces =
             of_ticks(vector, longest_s, &whole, (divided, planned.here)).find(continues_alike);
@@ -256,8 +256,8 @@ fn with_counts(
     let begin_mm_s = (50.0 * length(&write(piece)) - step_mm_s * steps) / ticks;
     let top_mm_s = (begin_mm_s + ups * step_mm_s) * (1.0 - SPARE);
     let least_mm_s = match piece.kind {
-        MoveKind::Burn => LEAST_BURN_MM_S.min(piece.max_speed_mm_s),
-        _ => LEAST_END_MM_S,
+        MoveKind::Burn => MIN_BURN_MM_S.min(piece.max_speed_mm_s),
+        _ => MIN_END_MM_S,
     };
     // The correction of all ticks makes the arm faster than its packet; the rest needs that speed
     // as its maximum, or it would take more ticks.
@@ -267,7 +267,7 @@ fn with_counts(
         let max_speed_mm_s = top_mm_s.max(least_mm_s);
         let near_mm_s = max_speed_mm_s - (downs - NEAR) * step_mm_s;
         let near_mm_s = if piece.end_speed_mm_s > 0.0 {
-            near_mm_s.max(LEAST_END_MM_S)
+            near_mm_s.max(MIN_END_MM_S)
         } else {
             0.0
         };

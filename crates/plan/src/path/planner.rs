@@ -13,7 +13,7 @@ use crate::speed::lookahead::ChainVector;
 use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick_chain::LastPositions;
-use crate::ticks::tick_fit::LEAST_BURN_MM_S;
+use crate::ticks::tick_fit::MIN_BURN_MM_S;
 use crate::ticks::ticker::Ticker;
 use crate::{ArmLimits, DrawingTool, MoveKind, Paper, Pass, Pen, PlannedVector};
 
@@ -166,9 +166,9 @@ impl<'a> Planner<'a> {
     fn least_vector_mm(&self, kind: MoveKind) -> f64 {
         match kind {
             MoveKind::Travel | MoveKind::Lower | MoveKind::Draw | MoveKind::Lift => {
-                LEAST_VECTOR_MM.max(self.arm_limits.least_from_rest_mm())
+                MIN_VECTOR_MM.max(self.arm_limits.least_from_rest_mm())
             }
-            _ => LEAST_VECTOR_MM,
+            _ => MIN_VECTOR_MM,
         }
     }
 
@@ -198,12 +198,12 @@ impl<'a> Planner<'a> {
     /// them.
     fn raise_burn_speeds(&mut self, begin: usize) {
         let fastest_mm_s = self.chain.iter().map(|run| run.limit_mm_s);
-        if fastest_mm_s.fold(0.0, f64::max) < LEAST_BURN_MM_S.into() {
+        if fastest_mm_s.fold(0.0, f64::max) < MIN_BURN_MM_S.into() {
             return;
         }
         let burned = self.moves[begin..].iter_mut();
         for vector in burned.filter(|vector| vector.kind == MoveKind::Burn) {
-            vector.max_speed_mm_s = vector.max_speed_mm_s.max(LEAST_BURN_MM_S);
+            vector.max_speed_mm_s = vector.max_speed_mm_s.max(MIN_BURN_MM_S);
         }
     }
 
@@ -259,4 +259,4 @@ pub(crate) fn round_down(value: f64) -> f32 {
     }
 }
 
-pub(crate) const LEAST_VECTOR_MM: f64 = 0.001;
+pub(crate) const MIN_VECTOR_MM: f64 = 0.001;

@@ -36,7 +36,7 @@ impl Planner<'_> {
         self.travel.speeds.extend(speeds);
         self.travel.most_mm_s.push(round_down(limits_mm_s[0]));
         // Bound the memory and the time of the search in drawings of many dots.
-        if self.travel.chain.len() >= MOST_TRAVEL {
+        if self.travel.chain.len() >= MAX_TRAVEL {
             self.chain.clear();
             self.plan_travel(TRAVEL_BEFORE_LAST);
         }
@@ -79,6 +79,6 @@ impl Planner<'_> {
 }
 
 /// The maximum number of travel vectors planned together.
-const MOST_TRAVEL: usize = 60;
+const MAX_TRAVEL: usize = 60;
 /// The number of these that are planned again with their successors.
 const TRAVEL_BEFORE_LAST: usize = 12;

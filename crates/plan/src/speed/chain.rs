@@ -147,7 +147,7 @@ impl ChainSpeeds {
             .zip(before)
             .map(|(now, before)| Some(now) != before)
             .collect();
-        let shares = SampledMotion::new(chain, &speeds, a).shares(LEAST_SHARE, &changed);
+        let shares = SampledMotion::new(chain, &speeds, a).shares(MIN_SHARE, &changed);
         for (corner, share) in shares.iter().enumerate().filter(|share| *share.1 < 1.0) {
             chain[corner].corner_mm_s = speeds[corner].end_mm_s * share.powi(power);
         }
@@ -214,4 +214,4 @@ const ROUNDS: i32 = 60;
 const PATIENCE: i32 = 6;
 const SLOWER: f64 = 0.999;
 /// Rounds end when no corner exceeds the sampled acceleration by more than about half a percent.
-pub(crate) const LEAST_SHARE: f64 = 0.994;
+pub(crate) const MIN_SHARE: f64 = 0.994;

@@ -28,7 +28,7 @@ impl Credit {
         Self {
             period_s: link.period_s,
             waiting_s: 0.0,
-            most_s: link.period_s * MOST_WAITING,
+            most_s: link.period_s * MAX_WAITING,
             piece_s: f64::INFINITY,
         }
     }
@@ -53,7 +53,7 @@ impl Credit {
 
 /// A stock arm reports its state while fewer than four vectors wait; one is reserved because
 /// statuses and vectors begin at different times.
-const MOST_WAITING: f64 = 2.0;
+const MAX_WAITING: f64 = 2.0;
 
 #[cfg(test)]
 mod tests {

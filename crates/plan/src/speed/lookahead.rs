@@ -153,7 +153,7 @@ impl Cornering {
         let sampled_limit_mm_s = self.sampled_limit_mm_s(sin_half, shorter_mm);
         let cap_v2 = (self.acceleration_mm_s2 * most_mm / tan_half)
             .min(sampled_limit_mm_s * sampled_limit_mm_s);
-        if cap_v2 < LEAST_V2 {
+        if cap_v2 < MIN_V2 {
             return Junction::REST;
         }
         Junction {
@@ -265,7 +265,7 @@ const STRAIGHT: f64 = 1e-7;
 /// The half sine of a turn up to which a corner is gentle.
 const GENTLE: f64 = 0.3;
 /// The squared speed below which a corner is a stop, in (mm/s)2.
-const LEAST_V2: f64 = 1e-6;
+const MIN_V2: f64 = 1e-6;
 
 #[cfg(test)]
 mod tests {

@@ -35,10 +35,10 @@ pub fn stop_each(vectors: &[WriteVector], share: f64, arm_limits: &ArmLimits) ->
             } else {
                 single(arm_limits.rest_to_rest_mm_s(wanted_mm_s))
             };
-            let goes_on = arm_limits.has_ticks && !is_rapid(vector) && next.is_some_and(is_rapid);
+            let continues = arm_limits.has_ticks && !is_rapid(vector) && next.is_some_and(is_rapid);
             WriteVector {
                 start_speed_mm_s: 0.0,
-                end_speed_mm_s: if goes_on { max_speed_mm_s } else { 0.0 },
+                end_speed_mm_s: if continues { max_speed_mm_s } else { 0.0 },
                 max_speed_mm_s,
                 ..*vector
             }

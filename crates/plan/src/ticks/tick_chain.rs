@@ -11,7 +11,7 @@ use crate::speed::objective::Objective;
 use crate::speed::sampled_acceleration::{WINDOW_TICKS, sampled_limit_mm, second_difference};
 use crate::speed::speeds::Speeds;
 use crate::ticks::TICK_S;
-use crate::ticks::tick_fit::{LEAST_BURN_MM_S, MOST_FITS, TickFit, TickPreference};
+use crate::ticks::tick_fit::{MAX_FITS, MIN_BURN_MM_S, TickFit, TickPreference};
 use crate::ticks::ticker::Ticker;
 use crate::{MoveKind, PlannedVector};
 
@@ -72,7 +72,7 @@ impl LastPositions {
 pub(crate) struct Breadth {
     /// The number of candidates kept (beam width).
     candidates: usize,
-    /// The number of continuations per candidate, at most [`MOST_FITS`].
+    /// The number of continuations per candidate, at most [`MAX_FITS`].
     fits: usize,
     /// The difference in speed, as a share of a tick's change, below which candidates are equal.
     same_share: f32,
@@ -86,18 +86,18 @@ impl Breadth {
     };
     pub(crate) const MANY: Self = Self {
         candidates: 8,
-        fits: MOST_FITS,
+        fits: MAX_FITS,
         same_share: 0.1,
     };
-    pub(crate) const MOST: Self = Self {
+    pub(crate) const MAX: Self = Self {
         candidates: 20,
-        fits: MOST_FITS,
+        fits: MAX_FITS,
         same_share: 0.1,
     };
     /// For vectors between two rests, at which the arm keeps less than a tick's change.
     pub(crate) const TRAVEL: Self = Self {
         candidates: 8,
-        fits: MOST_FITS,
+        fits: MAX_FITS,
         same_share: 0.05,
     };
 }
@@ -130,10 +130,10 @@ impl TickChain<'_> {
                 here.take(speeds, fit);
             }
             let candidate = Candidate::new(&here, self.positions_before(begin, fits));
-            let goes_on = |i: usize, candidates: &[Candidate]| {
+            let continues = |i: usize, candidates: &[Candidate]| {
                 let ends = (i + 1..changed.len().min(i + 1 + MARGIN)).all(|i| !changed[i]);
                 let next = fits.get(i + 1).filter(|_| i >= change && ends)?;
-                let max_cost = candidates[0].cost + MOST_LOSS;
+                let max_cost = candidates[0].cost + MAX_LOSS;
                 candidates.iter().position(|candidate| {
                     let same = candidate
                         .ticker
@@ -141,10 +141,10 @@ impl TickChain<'_> {
                         == next.tick_stroke;
                     let rest = fits[i + 1..].iter().zip(&credits[i + 1..]);
                     same && self.cost_after(i, candidate, fits) <= max_cost
-                        && candidate.ticker.keeps_up(rest.take(MOST_AHEAD))
+                        && candidate.ticker.keeps_up(rest.take(MAX_AHEAD))
                 })
             };
-            let again = self.follow(begin, candidate, breadth, goes_on);
+            let again = self.follow(begin, candidate, breadth, continues);
             at = begin + again.len();
             for (speeds, fit) in self.speeds[begin..at].iter().zip(&again) {
                 here.take(speeds, fit);
@@ -206,8 +206,8 @@ impl TickChain<'_> {
 
     /// Returns the minimum speed in the packet of a burning laser, unless a lower one is requested.
     fn least_mm_s(&self, i: usize) -> f32 {
-        if self.moves[i].kind == MoveKind::Burn && self.most_mm_s[i] >= LEAST_BURN_MM_S {
-            LEAST_BURN_MM_S
+        if self.moves[i].kind == MoveKind::Burn && self.most_mm_s[i] >= MIN_BURN_MM_S {
+            MIN_BURN_MM_S
         } else {
             0.0
         }
@@ -431,9 +431,9 @@ const LONG_S: f64 = 0.8;
 /// The number of vectors before and after a change that are replanned too.
 const MARGIN: usize = 2;
 /// The extra cost over the best that a candidate may have if the arm continues as before.
-const MOST_LOSS: f64 = 4.0;
+const MAX_LOSS: f64 = 4.0;
 /// The number of vectors over which the link must not wait more than before.
-const MOST_AHEAD: usize = 200;
+const MAX_AHEAD: usize = 200;
 
 #[cfg(test)]
 mod tests {

@@ -66,7 +66,7 @@ impl TickFit {
     fn rank(self, fits: &mut Vec<Self>, same_share: f32) {
         let cost = self.cost + self.recovery;
         let place = fits.partition_point(|other| other.cost + other.recovery <= cost);
-        if place == MOST_FITS
+        if place == MAX_FITS
             || fits[..place]
                 .iter()
                 .any(|other| other.leaves_same_speed(&self, same_share))
@@ -76,7 +76,7 @@ impl TickFit {
         fits.insert(place, self);
         let mut i = place + 1;
         while i < fits.len() {
-            if i == MOST_FITS || fits[i].leaves_same_speed(&self, same_share) {
+            if i == MAX_FITS || fits[i].leaves_same_speed(&self, same_share) {
                 fits.remove(i);
             } else {
                 i += 1;
@@ -109,7 +109,7 @@ impl TickTarget {
     /// close to the target are tried, each with the two speeds that should produce it, and the
     /// actual execution is computed as in the controller.
     pub(crate) fn fits(&self, stored_mm_s: f32) -> Vec<TickFit> {
-        let mut fits = Vec::with_capacity(MOST_FITS + 1);
+        let mut fits = Vec::with_capacity(MAX_FITS + 1);
         self.try_slower(stored_mm_s, &mut fits);
         self.try_faster(stored_mm_s, &mut fits);
         if self.rests && fits.first().is_none_or(|fit| self.creeps(fit)) {
@@ -137,7 +137,7 @@ impl TickTarget {
     fn try_slower(&self, stored_mm_s: f32, fits: &mut Vec<TickFit>) {
         let change = self.acceleration_mm_s2 * TICK_S;
         let wanted = self.ticks.max(f64::from(self.least_ticks));
-        if wanted > MOST_TICKS {
+        if wanted > MAX_TICKS {
             return;
         }
         let about = count(single(wanted));
@@ -205,15 +205,15 @@ impl TickTarget {
         let end_mm_s = if self.rests {
             0.0
         } else {
-            end_mm_s.min(slow_mm_s).max(LEAST_END_MM_S)
+            end_mm_s.min(slow_mm_s).max(MIN_END_MM_S)
         };
         // Such a vector could not end above the least end speed.
-        if slow_mm_s < LEAST_END_MM_S {
+        if slow_mm_s < MIN_END_MM_S {
             return;
         }
         let max_mm_s = slow_mm_s.max(self.wish.least_mm_s);
         let tick_stroke = self.tick_stroke(stored_mm_s, end_mm_s, max_mm_s);
-        let creeps = !self.rests && tick_stroke.end_mm_s < LEAST_LEFT_MM_S;
+        let creeps = !self.rests && tick_stroke.end_mm_s < MIN_LEFT_MM_S;
         // The processor counts in 16 bits and misinterprets larger values (note N51); the corrected
         // speed must not be used for this check.
         let even_mm_s = tick_stroke.top_mm_s - tick_stroke.correction_mm_s;
@@ -305,7 +305,7 @@ impl TickTarget {
         for ticks in self.least_ticks.max(1)..i16::MAX {
             let even_mm_s = 50.0 * self.length_mm / f32::from(ticks) * (1.0 - SPARE);
             for max in [
-                even_mm_s.min(stored_mm_s.max(LEAST_END_MM_S)),
+                even_mm_s.min(stored_mm_s.max(MIN_END_MM_S)),
                 even_mm_s + 0.49 * change,
             ] {
                 self.consider(stored_mm_s, max, max, &mut fits);
@@ -377,24 +377,24 @@ const ABOVE: f64 = 2.0;
 /// A slower laser may set things on fire: the policy's default minimum and a margin.
 const SAFE_BURN_MM_S: f32 = 1.001;
 /// The policy's default minimum for the maximum speed of a burning vector, in mm/s.
-pub const LEAST_BURN_MM_S: f32 = 1.0;
-/// Exceeds every other cost: a vector takes up to [`MOST_TICKS`], and lateness counts squared.
+pub const MIN_BURN_MM_S: f32 = 1.0;
+/// Exceeds every other cost: a vector takes up to [`MAX_TICKS`], and lateness counts squared.
 const SLOW_BURN_COST: f64 = 1e10;
 /// The cost, in squared ticks, of a step of uncertainty in the next vector's initial speed.
 const UNSURE: f64 = 10_000.0;
 /// The deviation below which a speed counts as known, in mm/s.
 const KNOWN_MM_S: f32 = 0.04;
 /// The limit of a stock arm's counter (note N51).
-const MOST_TICKS: f64 = 32_000.0;
+const MAX_TICKS: f64 = 32_000.0;
 /// The maximum number of fits returned.
-pub(crate) const MOST_FITS: usize = 30;
+pub(crate) const MAX_FITS: usize = 30;
 /// The positions of the maximum speed within a step before a rest: it determines the number of
 /// ticks that decelerate to 0.
 const NEARS: [f32; 4] = [-0.4, 0.0, 0.2, 0.4];
 /// The minimum end speed of a vector that does not rest, in mm/s: 0 means a rest.
-pub(crate) const LEAST_END_MM_S: f32 = 0.01;
+pub(crate) const MIN_END_MM_S: f32 = 0.01;
 /// The minimum speed left to the next vector, in mm/s: after a laser it would creep (note N48).
-pub(crate) const LEAST_LEFT_MM_S: f32 = 0.1;
+pub(crate) const MIN_LEFT_MM_S: f32 = 0.1;
 
 #[cfg(test)]
 mod tests {

@@ -2,7 +2,7 @@
 //! fast.
 
 use crate::path::planner::{Planner, round_down};
-use crate::speed::chain::{ChainSpeeds, LEAST_SHARE};
+use crate::speed::chain::{ChainSpeeds, MIN_SHARE};
 use crate::speed::lookahead::ChainVector;
 use crate::speed::objective::Objective;
 use crate::speed::sampled_acceleration::TickPositions;
@@ -52,9 +52,9 @@ impl Planner<'_> {
         let mut attempt = self.attempt(plan, Breadth::MANY);
         let mut best = attempt.clone();
         let (mut splits, mut in_vain) = (0, 0);
-        for _ in 0..MOST_ROUNDS {
+        for _ in 0..MAX_ROUNDS {
             // Neither more rounds nor splits would help further.
-            if !attempt.is_sharp() || in_vain == MOST_IN_VAIN {
+            if !attempt.is_sharp() || in_vain == MAX_FAILED_ROUNDS {
                 break;
             }
             let is_split =
@@ -66,7 +66,7 @@ impl Planner<'_> {
             } else {
                 self.slow_corners(plan, &attempt);
             }
-            self.repair(plan, &mut attempt, Breadth::MOST);
+            self.repair(plan, &mut attempt, Breadth::MAX);
             let gets_better = attempt.sharpness() < BETTER * best.sharpness();
             in_vain = if is_split || gets_better {
                 0
@@ -186,7 +186,7 @@ impl Planner<'_> {
         for (run, fit) in self.chain.iter().zip(fits) {
             ticks.push(run, &fit.tick_stroke);
         }
-        ticks.shares(self.arm_limits.acceleration_mm_s2, LEAST_SHARE)
+        ticks.shares(self.arm_limits.acceleration_mm_s2, MIN_SHARE)
     }
 
     /// Slows corners that are too fast, more with each round; a corner slower than one step finally
@@ -197,9 +197,9 @@ impl Planner<'_> {
         for (i, share) in shares.filter(|share| *share.1 < 1.0) {
             // Lowering the target alone may round to the same ticks; a higher weight forces a
             // change.
-            plan.over[i] = (2.0 * plan.over[i]).min(MOST_OVER);
+            plan.over[i] = (2.0 * plan.over[i]).min(MAX_OVER);
             let slower_mm_s = attempt.speeds[i].end_mm_s * share;
-            let stops = plan.over[i] == MOST_OVER && slower_mm_s < step_mm_s;
+            let stops = plan.over[i] == MAX_OVER && slower_mm_s < step_mm_s;
             self.chain[i].corner_mm_s = if stops { 0.0 } else { slower_mm_s };
         }
     }
@@ -271,7 +271,7 @@ struct Attempt {
 impl Attempt {
     /// Whether a search could not improve it much.
     fn is_good(&self) -> bool {
-        self.late_share() < MOST_LATE_SHARE && !self.is_sharp()
+        self.late_share() < MAX_LATE_SHARE && !self.is_sharp()
     }
 
     /// Records that a vector became two, which must be planned again.
@@ -304,15 +304,15 @@ impl Attempt {
 }
 
 /// A smaller excess duration is not worth a search.
-const MOST_LATE_SHARE: f64 = 0.01;
+const MAX_LATE_SHARE: f64 = 0.01;
 /// The maximum number of rounds for a chain.
-const MOST_ROUNDS: u32 = 40;
+const MAX_ROUNDS: u32 = 40;
 /// A round is an improvement if it leaves less than this share of the excess.
 const BETTER: f64 = 0.8;
 /// The number of rounds without improvement before vectors are split.
 const PATIENCE: u32 = 2;
 /// The number of rounds without improvement that ends the search.
-const MOST_IN_VAIN: u32 = 8;
+const MAX_FAILED_ROUNDS: u32 = 8;
 /// The maximum number of splits.
 const MAX_SPLITS: u32 = 6;
 /// The minimum number of ticks of a vector to split: each part takes as long as the link needs.
@@ -322,4 +322,4 @@ const EVEN_TICKS: f64 = 10.0;
 /// The cosine above which two vectors are collinear.
 const STRAIGHT_COS: f64 = 0.999_999;
 /// The maximum weight of end speeds above the target.
-const MOST_OVER: f64 = 16.0;
+const MAX_OVER: f64 = 16.0;

@@ -8,7 +8,7 @@ use crate::speed::link::Credit;
 use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
 use crate::ticks::TICK_S;
-use crate::ticks::tick_fit::{LEAST_LEFT_MM_S, TickFit, TickPreference, TickTarget};
+use crate::ticks::tick_fit::{MIN_LEFT_MM_S, TickFit, TickPreference, TickTarget};
 use crate::{ArmLimits, MoveKind, PlannedVector};
 
 /// The state that a stock arm carries from vector to vector.
@@ -158,7 +158,7 @@ impl Ticker {
         let wrong = |stored_mm_s: f32, is_sure: bool| {
             let mut stored_mm_s = stored_mm_s;
             moves.iter().any(|vector| {
-                let creeps = vector.kind == MoveKind::RunOut && stored_mm_s < LEAST_LEFT_MM_S;
+                let creeps = vector.kind == MoveKind::RunOut && stored_mm_s < MIN_LEFT_MM_S;
                 let tick_stroke = self.tick_stroke(&write(vector), stored_mm_s);
                 stored_mm_s = tick_stroke.end_mm_s;
                 creeps || is_sure && !tick_stroke.is_exact()
@@ -259,7 +259,7 @@ impl Ticker {
         let ticks = speeds.duration_s / f64::from(TICK_S);
         let took = f64::from(fit.tick_stroke.ticks());
         // Bounded, so that one odd vector does not distort many others.
-        self.early = (self.early + ticks - took).clamp(-MOST_EARLY, MOST_EARLY);
+        self.early = (self.early + ticks - took).clamp(-MAX_EARLY, MAX_EARLY);
         self.credit.take(fit.duration_s());
         self.stored_mm_s = fit.tick_stroke.end_mm_s;
         self.possible_mm_s = fit.possible_mm_s;
@@ -292,4 +292,4 @@ fn factor(vector: &WriteVector) -> f32 {
 const RAPID_FACTOR: f32 = 100.0;
 /// Speeds that a vector braked to rest may leave, in mm/s, as in the policy.
 const LEFT_BY_OTHERS_MM_S: [f32; 3] = [-0.01, -0.1, -0.3];
-const MOST_EARLY: f64 = 0.5;
+const MAX_EARLY: f64 = 0.5;

@@ -184,7 +184,7 @@ fn a_dataset_has_an_episode_for_each_stretch_without_silence() {
         let list = rows[row].get_list(column).unwrap();
         assert_eq!(list.len(), 6);
         match list.elements()[0] {
-            parquet::record::Field::Float(it) => it,
+            parquet::record::Field::Float(number) => number,
             ref other => panic!("{other:?}"),
         }
     };

@@ -252,7 +252,7 @@ proptest! {
         records in vec((0..100_000_000_000_u64, any_record()), 1..60),
     ) {
         let folder = tempfile::tempdir().unwrap();
-        let timed = records.iter().map(|(at, it)| (Duration::from_nanos(*at), it.clone()));
+        let timed = records.iter().map(|(at, record)| (Duration::from_nanos(*at), record.clone()));
         let files = record(folder.path(), timed);
         let (moments, recording) = read(std::fs::read(&files[0]).unwrap());
         prop_assert_eq!(recording.damage(), None);

@@ -189,27 +189,27 @@ fn records(list: Vec<(i64, Next)>) -> Vec<(Duration, Record)> {
 /// The entries in order: packets of the arm when complete, and everything else; and all bytes of
 /// the arm.
 #[derive(Debug, Default, PartialEq)]
-struct Heard {
+struct Received {
     all: Vec<(Duration, String, Vec<u8>)>,
     from_arm: Vec<u8>,
 }
 
-impl Heard {
+impl Received {
     fn of(records: impl Iterator<Item = (Duration, String, Vec<u8>)>) -> Self {
-        let mut heard = Self::default();
+        let mut received = Self::default();
         let mut decoder = Decoder::statuses(dobot_session::plausible);
         for (at, topic, bytes) in records {
             if topic != FROM_ARM {
-                heard.all.push((at, topic, bytes));
+                received.all.push((at, topic, bytes));
                 continue;
             }
             for frame in decoder.feed(&bytes) {
                 let packet = frame.to_bytes().to_vec();
-                heard.all.push((at, topic.clone(), packet));
+                received.all.push((at, topic.clone(), packet));
             }
-            heard.from_arm.extend(bytes);
+            received.from_arm.extend(bytes);
         }
-        heard
+        received
     }
 }
 
@@ -222,14 +222,14 @@ proptest! {
         let folder = tempfile::tempdir().unwrap();
         let records = records(list);
         let file = record(folder.path(), records.clone());
-        let found = Heard::of(read(&file).into_iter().filter_map(|it| match it.entry {
-            Entry::ToArm(bytes) | Entry::FromArm(bytes) => Some((it.at, it.topic.to_string(), bytes)),
-            Entry::Json(value) if &*it.topic == "/events" => {
-                Some((it.at, it.topic.to_string(), value.to_string().into_bytes()))
+        let found = Received::of(read(&file).into_iter().filter_map(|message| match message.entry {
+            Entry::ToArm(bytes) | Entry::FromArm(bytes) => Some((message.at, message.topic.to_string(), bytes)),
+            Entry::Json(value) if &*message.topic == "/events" => {
+                Some((message.at, message.topic.to_string(), value.to_string().into_bytes()))
             }
             _ => None,
         }));
-        let expected = Heard::of(records.into_iter().map(|(at, record)| match record {
+        let expected = Received::of(records.into_iter().map(|(at, record)| match record {
             Record::ToArm(bytes) => (at, "/wire/to_arm".to_owned(), bytes),
             Record::FromArm(bytes) => (at, FROM_ARM.to_owned(), bytes),
             Record::Json { value, .. } => (at, "/events".to_owned(), value.to_string().into_bytes()),

@@ -26,8 +26,13 @@ async fn planned(
     (wanted, plan)
 }
 
-async fn where_it_stands(station: &mut StationClient) -> [f64; 4] {
-    degrees_of(&stands(station).await.expect("the station reports").status)
+async fn angles_at_rest(station: &mut StationClient) -> [f64; 4] {
+    degrees_of(
+        &state_at_rest(station)
+            .await
+            .expect("the station reports")
+            .status,
+    )
 }
 
 fn near(found: [f64; 4], expected: [f64; 4], tolerance: f64) {
@@ -58,7 +63,7 @@ async fn both_arms_follow_a_trajectory_to_its_end_in_the_requested_time() {
         let followed = followed.await.expect("it is followed");
         assert!(matches!(followed, Followed::Done(_)), "{followed:?}");
         near(
-            where_it_stands(&mut station).await,
+            angles_at_rest(&mut station).await,
             [0.0, 45.0, 45.0, 0.0],
             0.05,
         );
@@ -71,14 +76,14 @@ async fn both_arms_follow_a_trajectory_to_its_end_in_the_requested_time() {
 #[tokio::test]
 async fn a_trajectory_that_the_policy_forbids_moves_nothing_and_is_refused_with_the_reason() {
     let mut station = station(Personality::Firmware11);
-    let before = where_it_stands(&mut station).await;
+    let before = angles_at_rest(&mut station).await;
     let (wanted, plan) = planned(&mut station, &[(&[170.0, 45.0, 45.0], 8.0)]).await;
     let plan = plan.expect("the policy is the station's");
     let followed = follow(&mut station, &wanted, plan, &mut never(), |_, _| {}).await;
     let fault = followed.unwrap_err();
     assert_eq!(fault.code, FaultCode::InvalidGoal);
     assert!(fault.text.contains("base"), "{}", fault.text);
-    assert_eq!(where_it_stands(&mut station).await, before);
+    assert_eq!(angles_at_rest(&mut station).await, before);
 }
 
 #[tokio::test]
@@ -103,7 +108,7 @@ async fn a_cancelled_trajectory_holds_on_its_path_and_leaves_no_job_behind() {
     });
     let followed = followed.await.expect("it holds");
     assert!(matches!(followed, Followed::Held(_)), "{followed:?}");
-    let held = where_it_stands(&mut station).await;
+    let held = angles_at_rest(&mut station).await;
     assert!(held[0] > 0.0, "{held:?}");
     let jobs = station.jobs().await.expect("the jobs are listed");
     assert!(jobs.iter().all(|job| job.phase.is_over()), "{jobs:?}");
@@ -122,12 +127,12 @@ async fn an_end_outside_the_tolerance_of_the_goal_is_reported() {
 #[tokio::test]
 async fn pump_and_gripper_obey_and_the_arm_does_not_move() {
     let mut station = station(Personality::Firmware11);
-    let before = where_it_stands(&mut station).await;
+    let before = angles_at_rest(&mut station).await;
     suction(&mut station, true).await.expect("it is allowed");
     gripper(&mut station, true, &mut never())
         .await
         .expect("it is allowed");
-    let status = stands(&mut station)
+    let status = state_at_rest(&mut station)
         .await
         .expect("the station reports")
         .status;

@@ -6,7 +6,7 @@ use crate::messages::{
     Header, JointTrajectory, JointTrajectoryPoint, MultiDofTrajectory, duration,
 };
 
-const STANDS: [f64; 4] = [0.0, 45.0, 45.0, 0.0];
+const ARM_DEG: [f64; 4] = [0.0, 45.0, 45.0, 0.0];
 
 /// A goal through positions in degrees, each with its time.
 pub(crate) fn goal(names: &[&str], points: &[(&[f64], f64)]) -> FollowGoal {
@@ -41,7 +41,7 @@ pub(crate) fn goal(names: &[&str], points: &[(&[f64], f64)]) -> FollowGoal {
 }
 
 fn wanted(goal: &FollowGoal) -> Result<Wanted, Fault> {
-    Wanted::new(goal, STANDS, Time::new(1000, 0))
+    Wanted::new(goal, ARM_DEG, Time::new(1000, 0))
 }
 
 fn near(found: [f64; 4], expected: [f64; 4]) {
@@ -58,7 +58,7 @@ fn joints_may_come_in_any_order_and_unnamed_ones_do_not_move() {
     );
     let wanted = wanted(&goal).expect("it is allowed");
     assert_eq!(wanted.at_s, [0.0, 1.0, 2.0]);
-    near(wanted.places[0], STANDS);
+    near(wanted.places[0], ARM_DEG);
     near(wanted.places[2], [20.0, 45.0, 55.0, 0.0]);
     near(wanted.at(1.5), [15.0, 45.0, 52.5, 0.0]);
     near(wanted.at(0.5), [5.0, 45.0, 47.5, 0.0]);
@@ -70,7 +70,7 @@ fn a_first_point_at_time_zero_is_the_current_place_or_the_goal_is_refused() {
     let begins = |base: f64| goal(&["base"], &[(&[base], 0.0), (&[20.0], 2.0)]);
     let found = wanted(&begins(0.4)).expect("it is near enough");
     // From its actual position.
-    near(found.places[0], STANDS);
+    near(found.places[0], ARM_DEG);
     assert_eq!(found.at_s, [0.0, 2.0]);
     let fault = wanted(&begins(5.0)).unwrap_err();
     assert_eq!(fault.code, FaultCode::InvalidGoal);
@@ -81,7 +81,7 @@ fn a_first_point_at_time_zero_is_the_current_place_or_the_goal_is_refused() {
 #[test]
 fn an_invalid_goal_is_refused_with_what_is_allowed() {
     use FaultCode::{InvalidGoal, InvalidJoints};
-    for (goal, code, says) in [
+    for (goal, code, expected) in [
         (
             goal(&[], &[(&[], 1.0)]),
             InvalidJoints,
@@ -126,7 +126,7 @@ fn an_invalid_goal_is_refused_with_what_is_allowed() {
     ] {
         let fault = wanted(&goal).unwrap_err();
         assert_eq!(fault.code, code, "{}", fault.text);
-        assert!(fault.text.contains(says), "{}", fault.text);
+        assert!(fault.text.contains(expected), "{}", fault.text);
     }
 }
 
@@ -184,8 +184,8 @@ proptest! {
         let points: Vec<(&[f64], f64)> = points.iter().map(|(deg, at)| (&deg[..], *at)).collect();
         let mut goal = goal(&names, &points);
         goal.trajectory.header.stamp = Time::new(stamp.0, stamp.1 % 1_000_000_000);
-        if let Ok(wanted) = Wanted::new(&goal, STANDS, Time::new(stamp.0, 0)) {
-            prop_assert_eq!(wanted.places[0], STANDS);
+        if let Ok(wanted) = Wanted::new(&goal, ARM_DEG, Time::new(stamp.0, 0)) {
+            prop_assert_eq!(wanted.places[0], ARM_DEG);
             prop_assert_eq!(wanted.places.len(), wanted.at_s.len());
             prop_assert!(wanted.at_s.is_sorted_by(|a, b| a < b));
             prop_assert!(wanted.places.iter().flatten().all(|value| value.is_finite()));

@@ -7,11 +7,11 @@ use proptest::prelude::*;
 fn refused(text: &str, line: usize, parts: &[&str]) {
     let error = Policy::from_toml(text).expect_err("it is no policy");
     assert_eq!(error.line, Some(line), "{error}");
-    let told = error.to_string();
-    assert!(told.starts_with(&format!("line {line}: ")), "{told}");
-    assert!(!told.contains('\n'), "{told}");
+    let message = error.to_string();
+    assert!(message.starts_with(&format!("line {line}: ")), "{message}");
+    assert!(!message.contains('\n'), "{message}");
     for part in parts {
-        assert!(told.contains(part), "`{part}` is missing: {told}");
+        assert!(message.contains(part), "`{part}` is missing: {message}");
     }
 }
 

@@ -22,10 +22,10 @@ fn a_linear_jog_stops_above_the_table() {
     let low = Desk::at(200.0, 0.0, -55.0);
     let violation = low.refuses("table", slide(L::ZMinus, 100.0));
     assert_near(violation.nearest.expect("a place")[2], -63.0, 0.03);
-    let told = violation.to_string();
+    let text = violation.to_string();
     assert!(
-        told.starts_with("before the jog can be stopped, z would be -"),
-        "{told}"
+        text.starts_with("before the jog can be stopped, z would be -"),
+        "{text}"
     );
     low.allows(slide(L::ZMinus, 10.0));
     low.allows(slide(L::ZPlus, 100.0));

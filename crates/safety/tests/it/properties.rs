@@ -65,9 +65,9 @@ proptest! {
         // The reported position is on the path, right after the nearest allowed one.
         let trajectory = model.trajectory(&command).expect("it has a way");
         let place = trajectory.place_at(at.after_s.expect("no jog")).expect("it is reachable");
-        let told = place.pose.position;
+        let reported = place.pose.position;
         let [at_x, at_y, at_z] = at.position_mm;
-        let apart = (told.x.0 - at_x).hypot(told.y.0 - at_y).hypot(told.z.0 - at_z);
+        let apart = (reported.x.0 - at_x).hypot(reported.y.0 - at_y).hypot(reported.z.0 - at_z);
         prop_assert!(apart < 1e-6, "{} mm off its way", apart);
         if !matches!(command, Command::MoveTo(_)) {
             let step = (at_x - x).hypot(at_y - y).hypot(at_z - z);
@@ -163,19 +163,19 @@ proptest! {
             [rear, (lowest - place.pose.position.z.0).max(0.0)]
         };
         let deepest = outside(&from);
-        let (mut came_in, duration_s) = ([false; 2], trajectory.motion_s().expect("no jog"));
+        let (mut was_inside, duration_s) = ([false; 2], trajectory.motion_s().expect("no jog"));
         for index in 0..=1000 {
             let t_s = duration_s * f64::from(index) / 1000.0;
             let now = outside(&trajectory.place_at(t_s).expect("reachable"));
             for rule in 0..2 {
                 prop_assert!(now[rule] <= deepest[rule] + 3e-6, "{:?} after {} s", now, t_s);
-                came_in[rule] |= now[rule] == 0.0;
+                was_inside[rule] |= now[rule] == 0.0;
             }
         }
         // A part that came in is in at the end.
         let end = outside(&trajectory.place_at(duration_s).expect("reachable"));
         for rule in 0..2 {
-            prop_assert!(!came_in[rule] || end[rule] <= 3e-6, "{:?} at the end", end);
+            prop_assert!(!was_inside[rule] || end[rule] <= 3e-6, "{:?} at the end", end);
         }
     }
 }
@@ -204,8 +204,8 @@ fn commands() -> impl Strategy<Value = Command> {
         Command::from(go(mode, x, y, z))
     });
     let joints = (modes(), places()).prop_map(|(mode, place): (MovingMode, ArmPlace)| {
-        let it = place.joints;
-        let [base, rear, fore] = [it.base.0, it.rear.0, it.fore.0].map(single);
+        let joints = place.joints;
+        let [base, rear, fore] = [joints.base.0, joints.rear.0, joints.fore.0].map(single);
         Command::from(turn(mode, base, rear, fore))
     });
     let vectors = (-100.0..100.0_f32, -100.0..100.0_f32, -60.0..60.0_f32)

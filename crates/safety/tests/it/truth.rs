@@ -69,9 +69,12 @@ fn points(place: &ArmPlace, length: f64) -> impl Iterator<Item = [f64; 3]> {
 fn holds(keep_out: &KeepOut, [x, y, z]: [f64; 3], radius: f64) -> bool {
     let within = |value: f64, span: Bounds| value > span.min - radius && value < span.max + radius;
     match keep_out {
-        KeepOut::Box(it) => within(x, it.x_mm) && within(y, it.y_mm) && within(z, it.z_mm),
-        KeepOut::Cylinder(it) => {
-            (x - it.x_mm).hypot(y - it.y_mm) < it.radius_mm + radius && within(z, it.z_mm)
+        KeepOut::Box(space) => {
+            within(x, space.x_mm) && within(y, space.y_mm) && within(z, space.z_mm)
+        }
+        KeepOut::Cylinder(cylinder) => {
+            (x - cylinder.x_mm).hypot(y - cylinder.y_mm) < cylinder.radius_mm + radius
+                && within(z, cylinder.z_mm)
         }
     }
 }

@@ -61,20 +61,20 @@ fn the_table_follows_the_paper_at_any_slope() {
     let mut desk = Desk::at(200.0, 0.0, 0.0).under("[table]\nbelow_paper_mm = 2");
     desk.model = desk.model.calibrated(arm);
     desk.allows(vector(0.0, 0.0, -45.9));
-    let told = desk.refuses("table.below_paper", vector(0.0, 0.0, -46.5));
+    let violation = desk.refuses("table.below_paper", vector(0.0, 0.0, -46.5));
     assert!(
-        told.to_string().contains(
+        violation.to_string().contains(
             "height above the paper would be -2.5 mm; table.below_paper allows -2 mm and more"
         ),
-        "{told}"
+        "{violation}"
     );
     // Level above the paper, and in it where that is higher.
     let mut low = Desk::at(200.0, 0.0, -45.5).under("[table]\nbelow_paper_mm = 2");
     low.model = low.model.calibrated(arm);
     low.allows(vector(0.0, 40.0, 0.0));
-    let told = low.refuses("table.below_paper", vector(80.0, 0.0, 0.0));
+    let violation = low.refuses("table.below_paper", vector(80.0, 0.0, 0.0));
     // 2 mm below the paper at x = 225.
-    assert_near(told.nearest.expect("a place")[0], 225.0, 1.1);
+    assert_near(violation.nearest.expect("a place")[0], 225.0, 1.1);
     // A gripper that is longer than the pen by 10 mm has to stay higher by as much.
     let lengths =
         "[tool_length]\nsuction_cup_mm = 40\ngripper_mm = 50\n[table]\nbelow_paper_mm = 2";
@@ -91,10 +91,10 @@ fn the_table_follows_the_paper_at_any_slope() {
 fn a_tiny_violation_is_reported_with_enough_decimals_to_show_it() {
     let policy = "[table]\nz_mm = -103\n[tool_length]\nsuction_cup_mm = 60";
     let desk = Desk::at(200.0, 0.0, 0.0).under(policy);
-    let told = desk.refuses("table", vector(0.0, 0.0, -43.004)).to_string();
+    let violation = desk.refuses("table", vector(0.0, 0.0, -43.004)).to_string();
     assert!(
-        told.contains("z would be -43.004 mm; table allows -43 mm"),
-        "{told}"
+        violation.contains("z would be -43.004 mm; table allows -43 mm"),
+        "{violation}"
     );
 }
 

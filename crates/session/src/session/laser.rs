@@ -28,7 +28,7 @@ pub(super) struct Laser {
     off_on_line: Duration,
     /// When a status last differed from the one before, and whether the last two are equal.
     changed: Duration,
-    stands: bool,
+    is_still: bool,
 }
 
 impl Laser {
@@ -123,8 +123,8 @@ impl Session {
 
     /// Records whether the arm stands still, before the estimate handles the status.
     pub(super) fn see_laser(&mut self, status: &Status) {
-        self.laser.stands = self.status == Some(*status);
-        if !self.laser.stands {
+        self.laser.is_still = self.status == Some(*status);
+        if !self.laser.is_still {
             self.laser.changed = self.now;
         }
     }
@@ -156,7 +156,7 @@ impl Session {
             let again = self.laser.again.is_some();
             self.switch_laser_off();
             self.laser.rounds = if again { self.laser.rounds + 1 } else { 1 };
-            self.laser.again = (self.laser.rounds < ROUNDS).then_some(self.now + AGAIN);
+            self.laser.again = (self.laser.rounds < ROUNDS).then_some(self.now + RETRY_DELAY);
         }
     }
 
@@ -200,8 +200,8 @@ impl Session {
         }
         if let Some(again) = self.laser.again {
             // A silent arm has no room for it, or does not receive it.
-            let hears = self.heard + AGAIN > again;
-            return (hears && self.estimate.waiting() == 0).then_some(again);
+            let receives = self.status_arrived + RETRY_DELAY > again;
+            return (receives && self.estimate.waiting() == 0).then_some(again);
         }
         if !self.laser.was_lit {
             return None;
@@ -240,7 +240,7 @@ impl Session {
         let since = self.estimate.in_flight().running_since(self.now);
         let shows = self.meter.latency().unwrap_or(LATENCY) + self.meter.period();
         let stopped = self.laser.changed > since || self.now >= since + shows;
-        (self.laser.stands && stopped).then_some(self.now)
+        (self.laser.is_still && stopped).then_some(self.now)
     }
 
     fn is_laser_free(&self) -> bool {
@@ -255,6 +255,6 @@ const ON_THE_LINE: Duration = Duration::from_millis(60);
 const PERMIT_IN_TIME: Duration = Duration::from_millis(100);
 /// How often "laser off" is sent while nothing else is: a packet may get lost.
 const ROUNDS: u32 = 4;
-const AGAIN: Duration = Duration::from_millis(150);
+const RETRY_DELAY: Duration = Duration::from_millis(150);
 /// Time from a command to the first status that shows it on a usual link.
 const LATENCY: Duration = Duration::from_millis(250);

@@ -126,7 +126,7 @@ impl Session {
     #[must_use]
     pub fn queue(&self) -> Queue {
         let in_flight = self.in_flight();
-        let silent_for = self.now.saturating_sub(self.heard);
+        let silent_for = self.now.saturating_sub(self.status_arrived);
         Queue {
             waiting: self.waiting(),
             in_flight,

@@ -62,7 +62,7 @@ fn a_full_queue_is_not_a_lost_link() {
 
 /// An arm whose base is at 0, and a computer that is frozen for a second and sends a packet before it reads the statuses
 /// sent meanwhile.
-fn stood_still_and_said(commands: &[Command]) -> Desk {
+fn still_arm_after(commands: &[Command]) -> Desk {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     for _ in 0..3 {
         desk.status_at(200.0, 0.0, 0.0);
@@ -78,7 +78,7 @@ fn stood_still_and_said(commands: &[Command]) -> Desk {
 
 #[test]
 fn an_arm_at_rest_with_the_same_pose_after_a_silence_was_not_reset_even_if_its_laser_went_off() {
-    let mut desk = stood_still_and_said(&[LASER_OFF]);
+    let mut desk = still_arm_after(&[LASER_OFF]);
     for _ in 0..3 {
         desk.status_at(200.0, 0.0, 0.0);
     }
@@ -90,7 +90,7 @@ fn an_arm_commanded_to_move_before_a_silence_may_have_been_reset_even_with_the_s
     let turn = JointJog::new(JointJogAxis::BasePlus, 50.0).into();
     let release = JointJog::new(JointJogAxis::Released, 0.0).into();
     for commands in [&[turn][..], &[turn, LASER_OFF], &[turn, release]] {
-        let mut desk = stood_still_and_said(commands);
+        let mut desk = still_arm_after(commands);
         desk.now += Duration::from_secs(1);
         desk.status_at(200.0, 0.0, 0.0);
         assert!(!desk.session.is_trusted(), "{commands:?}");
@@ -118,7 +118,7 @@ fn an_arm_that_kept_sending_while_the_computer_was_suspended_was_not_reset() {
         assert!(
             desk.events()
                 .iter()
-                .all(|it| !matches!(it, Event::LinkLost { .. }))
+                .all(|event| !matches!(event, Event::LinkLost { .. }))
         );
     }
 }

@@ -189,12 +189,12 @@ fn a_long_pause_is_reported_once_when_it_begins() {
     for _ in 0..99 {
         events.extend(desk.status_at(220.0, 10.0, 0.0));
     }
-    let told = Event::Pausing {
+    let pausing = Event::Pausing {
         command: CommandId(0),
         lasts: Duration::from_secs(8),
         by_default: false,
     };
-    assert_eq!(events, [told]);
+    assert_eq!(events, [pausing]);
     assert_eq!(completed(&desk.status_at(220.0, 10.0, 0.0)), [0]);
 }
 
@@ -288,6 +288,6 @@ fn statuses_that_arrive_in_a_burst_indicate_no_lost_command() {
     desk.now += PERIOD;
     let heap = status(200.0, 0.0, 0.0).emit().to_bytes().repeat(20);
     desk.session.handle_bytes(desk.now, &heap);
-    let lost = |it: &Event| matches!(it, Event::NotReached { .. });
+    let lost = |event: &Event| matches!(event, Event::NotReached { .. });
     assert!(!desk.events().iter().any(lost));
 }

@@ -33,7 +33,7 @@ fn jog(axis: JointJogAxis) -> JointJog {
 }
 
 /// A button is pressed and released, and a straight line to the previous place of the arm waits after that.
-fn line_behind_a_jog(desk: &mut Desk) -> CommandId {
+fn line_after_a_jog(desk: &mut Desk) -> CommandId {
     for _ in 0..2 {
         desk.status_at(200.0, 0.0, 0.0);
     }
@@ -47,22 +47,22 @@ fn line_behind_a_jog(desk: &mut Desk) -> CommandId {
 #[test]
 fn a_line_after_a_jog_that_moved_nothing_is_not_sent() {
     let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
-    let line = line_behind_a_jog(&mut desk);
-    let told: Vec<Event> = (0..100)
+    let line = line_after_a_jog(&mut desk);
+    let events: Vec<Event> = (0..100)
         .flat_map(|_| desk.status_at(200.0, 0.0, 0.0))
         .collect();
     let not_sent = Event::NotSent {
         command: line,
         reason: SendError::OnTheSpot,
     };
-    assert!(told.contains(&not_sent), "{told:?}");
+    assert!(events.contains(&not_sent), "{events:?}");
     assert_eq!(desk.packets(), 2, "the button and its release");
 }
 
 #[test]
 fn a_line_after_a_jog_is_sent_when_the_arm_rests_elsewhere() {
     let mut desk = Desk::new(Some(Dialect::FIRMWARE_1_1));
-    line_behind_a_jog(&mut desk);
+    line_after_a_jog(&mut desk);
     for n in 0..20 {
         desk.status_at(200.0, f64::from(n), 0.0);
     }

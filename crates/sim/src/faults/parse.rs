@@ -152,7 +152,7 @@ fn lose(value: &str) -> Option<FaultKind> {
 
 fn backlash(value: &str) -> Option<FaultKind> {
     let (joint, deg) = joint_angle(value)?;
-    (0.0..=MOST_BACKLASH_DEG)
+    (0.0..=MAX_BACKLASH_DEG)
         .contains(&deg)
         .then_some(FaultKind::Backlash { joint, deg })
 }
@@ -203,7 +203,7 @@ fn joint_angle(text: &str) -> Option<(Joint, f64)> {
         Some(size) => (-1.0, size),
         None => (1.0, deg),
     };
-    let size = unsigned(size).filter(|&it| it <= MOST_DEG)?;
+    let size = unsigned(size).filter(|&it| it <= MAX_DEG)?;
     Some((parse_joint(joint)?, sign * size))
 }
 
@@ -275,8 +275,8 @@ const BACKLASH: &str =
 const ZERO: &str = "base, rear, fore or servo with degrees from -90 to 90, as in zero=fore:2";
 const TILT: &str = "nothing, or the reading errors of rear and fore from -90 to 90 degrees, as in reset=rear:1.5,fore:-0.8@open";
 const LONGEST_DELAY_S: u64 = 60;
-const MOST_BACKLASH_DEG: f64 = 10.0;
-const MOST_DEG: f64 = 90.0;
+const MAX_BACKLASH_DEG: f64 = 10.0;
+const MAX_DEG: f64 = 90.0;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

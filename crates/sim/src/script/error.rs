@@ -69,7 +69,7 @@ pub enum ScriptProblem {
     },
     /// A word of a `raw` line is not bytes.
     #[error(
-        "word {word} of the bytes is `{found}`; allowed are two hex digits per byte, `f:FLOAT` with a number that fits four bytes, and `N*HEX` with up to {MOST_BYTES} bytes per line"
+        "word {word} of the bytes is `{found}`; allowed are two hex digits per byte, `f:FLOAT` with a number that fits four bytes, and `N*HEX` with up to {MAX_BYTES} bytes per line"
     )]
     Bytes {
         /// Its number; the first after the time is 1.
@@ -85,4 +85,4 @@ pub enum ScriptProblem {
 /// One day.
 pub(super) const LONGEST_MS: u32 = 86_400_000;
 /// One minute on the line; more than any buffer holds.
-pub(super) const MOST_BYTES: usize = 65_536;
+pub(super) const MAX_BYTES: usize = 65_536;

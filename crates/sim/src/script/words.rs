@@ -7,7 +7,7 @@ use dobot_controller::Port;
 use dobot_wire::{Frame, Voice};
 
 use super::Start;
-use super::error::{LONGEST_MS, MOST_BYTES, ScriptProblem};
+use super::error::{LONGEST_MS, MAX_BYTES, ScriptProblem};
 
 /// The words of a line in order.
 pub(super) struct LineWords<'a> {
@@ -130,20 +130,20 @@ fn append(word: &str, bytes: &mut Vec<u8>) -> Option<()> {
     } else if let Some((count, digits)) = word.split_once('*') {
         let count = whole(count)?;
         let digits = hex(digits)?;
-        if count * digits.len() > MOST_BYTES {
+        if count * digits.len() > MAX_BYTES {
             return None;
         }
         bytes.extend(digits.repeat(count));
     } else {
         bytes.extend(hex(word)?);
     }
-    (bytes.len() <= MOST_BYTES).then_some(())
+    (bytes.len() <= MAX_BYTES).then_some(())
 }
 
 fn whole(word: &str) -> Option<usize> {
     let digits = word.bytes().all(|it| it.is_ascii_digit());
     let count = word.parse().ok().filter(|_| digits)?;
-    (1..=MOST_BYTES).contains(&count).then_some(count)
+    (1..=MAX_BYTES).contains(&count).then_some(count)
 }
 
 fn hex(word: &str) -> Option<Vec<u8>> {

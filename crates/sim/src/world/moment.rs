@@ -29,7 +29,7 @@ impl ArmMoment {
         let gripper_deg = self.actuators.gripper_deg;
         [base.0, rear.0, fore.0, servo.0, gripper_deg]
             .iter()
-            .all(|angle| angle.abs() <= MOST_DEG)
+            .all(|angle| angle.abs() <= MAX_DEG)
     }
 
     /// Whether anything but time passes on the way to another moment.
@@ -95,4 +95,4 @@ impl ArmMoment {
 }
 
 /// Ten turns.
-const MOST_DEG: f64 = 3600.0;
+const MAX_DEG: f64 = 3600.0;

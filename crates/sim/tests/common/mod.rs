@@ -77,7 +77,7 @@ pub(crate) async fn run_with(
     }
     let last = last.expect("a program has a command");
     let mut events = Vec::new();
-    for _ in 0..MOST_EVENTS {
+    for _ in 0..MAX_EVENTS {
         let event = connection.next_event().await.expect("the link is open");
         if matches!(event, Event::Status(_)) {
             continue;
@@ -96,7 +96,7 @@ pub(crate) async fn run_with(
 }
 
 /// Hours of statuses.
-const MOST_EVENTS: usize = 200_000;
+const MAX_EVENTS: usize = 200_000;
 
 pub(crate) fn completed(events: &[Event]) -> Vec<u64> {
     let id = |event: &Event| match event {

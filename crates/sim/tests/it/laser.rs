@@ -12,7 +12,7 @@ use dobot_wire::{Command, Configuration, JointJog, JointJogAxis, MoveTo, MovingM
 use crate::light::longest_stand_s;
 
 /// What the laser may stand at the most, in seconds.
-const MOST_S: f64 = 0.3;
+const MAX_S: f64 = 0.3;
 /// An arm that goes less than that from one sample to the next stands.
 const STILL_MM: f64 = 0.001;
 
@@ -86,7 +86,7 @@ async fn nothing_that_a_program_sends_leaves_the_laser_burning_on_the_spot() {
         ] {
             let stood_s = stand_s(personality, &commands).await;
             println!("{personality}, {what}: {stood_s:.3} s");
-            assert!(stood_s <= MOST_S, "{personality}, {what}: {stood_s} s");
+            assert!(stood_s <= MAX_S, "{personality}, {what}: {stood_s} s");
         }
     }
 }
@@ -105,7 +105,7 @@ async fn a_burn_that_ends_at_a_limit_does_not_leave_the_laser_on() {
         connection.pass(Duration::from_secs(3)).await.unwrap();
         let stood_s = longest_stand_s(arm.arm().samples(), STILL_MM);
         println!("{length_mm} mm: {stood_s:.3} s");
-        assert!(stood_s <= MOST_S, "{length_mm} mm: {stood_s} s");
+        assert!(stood_s <= MAX_S, "{length_mm} mm: {stood_s} s");
     }
 }
 

@@ -50,7 +50,7 @@ impl TestArm {
         self.controller.handle_bytes(self.now, &packet.to_bytes());
         let mut moved = from;
         let mut at = self.controller.pose_at(self.now).position;
-        for _ in 0..MOST_TICKS {
+        for _ in 0..MAX_TICKS {
             self.wait(self.now + TICK);
             let found = self.controller.pose_at(self.now).position;
             if found.distance(at).0 > 1e-4 {
@@ -217,6 +217,6 @@ fn a_rapid_vector_behind_a_burn_arrives_and_is_not_refused() {
 }
 
 /// A minute and more.
-const MOST_TICKS: u32 = 5000;
+const MAX_TICKS: u32 = 5000;
 /// Until it is taken, and a tick for each of the three parts of a JUMP and for its rounding.
 const LATE_S: f64 = 0.12;

@@ -138,7 +138,7 @@ pub(crate) fn compare(kind: Kind, number: u64) -> Gap {
     let mut random = Random::sequence(kind as u64, number);
     let mut run = ScriptRun::power_up();
     let mut gap = Gap::default();
-    for _ in 0..=random.below(MOST_MOTIONS) {
+    for _ in 0..=random.below(MAX_MOTIONS) {
         let kind = match kind {
             Kind::Mixtures => Kind::ALL[random.below(6) as usize],
             kind => kind,
@@ -459,7 +459,7 @@ fn between(random: &mut Random, (low, high): (f64, f64)) -> f32 {
 const DIALECT: Dialect = Dialect::FIRMWARE_1_1;
 pub(crate) const SCRIPTS: u64 = 1000;
 /// A script has 1 to 6 motions.
-const MOST_MOTIONS: u32 = 6;
+const MAX_MOTIONS: u32 = 6;
 /// Random motions that are tried until the model allows one.
 const TRIES: u32 = 50;
 /// An arm that stands so long rests.

@@ -30,8 +30,8 @@ impl<At> Harness<At> {
     pub(crate) async fn admit(&mut self) -> String {
         let (_, name, role) = self.driver.admit().await;
         assert_eq!(role, Role::Control);
-        let came = ProgramNews::Came { name: name.clone() };
-        assert_eq!(self.news().await, came);
+        let connected = ProgramNews::Came { name: name.clone() };
+        assert_eq!(self.news().await, connected);
         name
     }
 

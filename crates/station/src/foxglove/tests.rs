@@ -29,8 +29,8 @@ impl FoxgloveClient {
             advertised,
         };
         while client.channels.is_empty() {
-            let said = client.said().await;
-            let advertised = said
+            let text = client.next_text().await;
+            let advertised = text
                 .as_ref()
                 .and_then(|message| message["channels"].as_array());
             for channel in advertised.into_iter().flatten() {
@@ -47,7 +47,7 @@ impl FoxgloveClient {
     }
 
     /// Returns the next text message, if the message is text.
-    async fn said(&mut self) -> Option<Value> {
+    async fn next_text(&mut self) -> Option<Value> {
         match self.socket.next().await?.expect("it is open") {
             Message::Text(text) => Some(serde_json::from_str(&text).expect("it is JSON")),
             _ => None,
@@ -217,7 +217,7 @@ async fn foxglove_gets_the_place_of_the_tool_as_the_arm_reports_it() {
     let again = || {
         // Each status has another angle, until one is published.
         base_deg += 0.25;
-        driver.tell_passed(turned(base_deg));
+        driver.publish_packet(turned(base_deg));
     };
     let (_, message) = client.message("/tf", again).await;
     // The turret turns with the base only: rear arm upright, forearm level.
@@ -239,7 +239,9 @@ async fn foxglove_gets_the_state_of_the_station_at_its_time() {
     client.want("/station/state").await;
     let begun = Timestamp::now().as_nanosecond();
     let (at_ns, state) = client
-        .message("/station/state", || driver.tell(crate::sample::state(60.0)))
+        .message("/station/state", || {
+            driver.publish_state(crate::sample::state(60.0))
+        })
         .await;
     assert_eq!(state["at_s"], 60.0);
     // The sample station has run for a minute by then: the time is that of the state, not that of

@@ -29,7 +29,7 @@ pub(super) async fn agents(
     let place = app.place()?;
     let token = presented(request.headers())?;
     let (parts, body) = request.into_parts();
-    let body = collect(body, HttpAgents::MOST_BYTES).await?;
+    let body = collect(body, HttpAgents::MAX_BYTES).await?;
     let request = Request::from_parts(parts, Body::from(body));
     let answer = app.agents.answer(request, token, place).await;
     let answer = answer.map_err(|error| TOO_MANY_CLIENTS.problem(error.to_string()))?;

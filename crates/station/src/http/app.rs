@@ -105,7 +105,7 @@ impl App {
             arms: OnceLock::new(),
             planning: Mutex::default(),
             addresses: Addresses::default(),
-            sockets: Arc::new(Semaphore::new(MOST_SOCKETS)),
+            sockets: Arc::new(Semaphore::new(MAX_SOCKETS)),
             ending,
             refreshed: watch::Sender::new(0),
             began: Instant::now(),
@@ -182,7 +182,7 @@ impl App {
     pub(super) fn place(&self) -> Result<OwnedSemaphorePermit, Problem> {
         let place = self.sockets.clone().try_acquire_owned();
         place.map_err(|_| {
-            let many = format!("{MOST_SOCKETS} connections are already open");
+            let many = format!("{MAX_SOCKETS} connections are already open");
             TOO_MANY_CLIENTS.problem(many)
         })
     }
@@ -201,7 +201,7 @@ impl App {
 /// The interval at which the tokens are checked while a caller may hold something.
 pub(super) const REFRESH_EVERY: Duration = Duration::from_millis(100);
 /// The maximum number of WebSockets.
-pub(super) const MOST_SOCKETS: usize = 2000;
+pub(super) const MAX_SOCKETS: usize = 2000;
 
 /// The two ends of a connection.
 #[derive(Clone, Debug)]

@@ -34,7 +34,7 @@ pub(super) fn driver() -> (StationHandle, Arc<FakeNews>, Asked) {
     let messages = std::mem::replace(&mut ends.messages, nothing);
     let news = Arc::new(FakeNews {
         ends,
-        came: Mutex::default(),
+        connected: Mutex::default(),
         gone: Mutex::default(),
         trouble: Mutex::default(),
         resets: Mutex::default(),
@@ -49,7 +49,7 @@ pub(super) fn driver() -> (StationHandle, Arc<FakeNews>, Asked) {
 pub(super) struct FakeNews {
     pub(super) ends: DriverChannels,
     /// Clients that connected: their names, and their names for time slots.
-    pub(super) came: Mutex<Vec<(String, String)>>,
+    pub(super) connected: Mutex<Vec<(String, String)>>,
     /// Clients that left.
     pub(super) gone: Mutex<Vec<ClientId>>,
     /// Reported troubles.
@@ -74,7 +74,10 @@ async fn serve(mut messages: mpsc::Receiver<Message>, news: Arc<FakeNews>, asked
                     refusing.insert(ClientId(next));
                 }
                 assert!(role >= Role::Watch);
-                news.came.lock().expect("as above").push((name, person));
+                news.connected
+                    .lock()
+                    .expect("as above")
+                    .push((name, person));
                 // The receiver may be gone, here and below.
                 let _ = reply.send(ClientId(next));
                 next += 1;

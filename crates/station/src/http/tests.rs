@@ -53,7 +53,7 @@ use crate::http::serve::listen::ConnectionSlots;
 struct Harness {
     router: Router,
     app: Arc<App>,
-    telling: Arc<FakeNews>,
+    publisher: Arc<FakeNews>,
     asked: Asked,
     peer: Peer,
     _end: watch::Sender<bool>,
@@ -94,7 +94,7 @@ impl Harness {
         let folder = tempfile::tempdir().unwrap();
         let mut tokens = Tokens::open(&folder.path().join("tokens.toml")).unwrap();
         let made = Role::ALL.map(|role| tokens.add(role, role.name()).unwrap());
-        let (handle, telling, asked) = driver();
+        let (handle, publisher, asked) = driver();
         let (end, ending) = watch::channel(false);
         let app = App::new(
             handle,
@@ -119,7 +119,7 @@ impl Harness {
         Self {
             router: super::routes::router(app.clone()),
             app,
-            telling,
+            publisher,
             asked,
             peer: Peer {
                 from,

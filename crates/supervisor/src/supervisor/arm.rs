@@ -264,7 +264,7 @@ impl Arm {
             let joint_s = teach.joint_deg_s / teach.joint_deg_s2;
             joint_s.max(teach.line_mm_s / teach.line_mm_s2)
         });
-        seconds(run_down_s) + HEARD_WITHIN
+        seconds(run_down_s) + RELEASE_TIME
     }
 
     /// Checks that the pose is trusted.
@@ -395,6 +395,6 @@ const TURNS_DEG: f32 = 0.005;
 /// After this many equal statuses in a row the arm is at rest: a motion shows in the third status after its packet.
 const AT_REST: u32 = 3;
 /// The time for laser off, a gap and the release, sent twice, on the line and in a tick of the arm.
-const HEARD_WITHIN: Duration = Duration::from_millis(700);
+const RELEASE_TIME: Duration = Duration::from_millis(700);
 /// The number of equal time intervals in a path preview.
 const PATH_PARTS: u32 = 48;

@@ -31,10 +31,10 @@ impl Commands {
     ) -> Result<CommandId, Refusal> {
         let command = translate(arm, command, rests_within)?;
         let waiting = arm.session().waiting();
-        if waiting >= MOST_WAITING {
+        if waiting >= MAX_WAITING {
             return Err(Refusal::TooMany {
                 waiting,
-                most: MOST_WAITING,
+                most: MAX_WAITING,
             });
         }
         if leads_somewhere(&command) && !knows_start(arm) {
@@ -133,7 +133,7 @@ fn line_pieces(arm: &Arm, command: &Command) -> Result<Vec<Command>, Refusal> {
     let is_enough = |pieces: &u16| {
         takes_s.is_none_or(|takes_s| takes_s <= f64::from(*pieces) * policy.queue.line_s)
     };
-    let pieces = (1..MOST_PIECES).find(is_enough).unwrap_or(MOST_PIECES);
+    let pieces = (1..MAX_PIECES).find(is_enough).unwrap_or(MAX_PIECES);
     if pieces == 1 {
         return Ok(Vec::new());
     }
@@ -203,6 +203,6 @@ fn spoken(order: VoiceOrder, model: &Model) -> Command {
 }
 
 /// The maximum number of pieces of a line. A very slow line has longer pieces instead.
-const MOST_PIECES: u16 = 32;
+const MAX_PIECES: u16 = 32;
 /// A client with more waiting commands should send a job.
-const MOST_WAITING: usize = 64;
+const MAX_WAITING: usize = 64;

@@ -68,7 +68,7 @@ impl FleetStops {
         let is_newer = known.is_none_or(|known| age(other) > age(&known.stop));
         let is_reset_here =
             known.is_some_and(|known| known.is_reset_here && known.stop.count == other.count);
-        if !is_newer || other.count > MOST_COUNT || !self.has_room(&other.origin) {
+        if !is_newer || other.count > MAX_COUNT || !self.has_room(&other.origin) {
             return Adopted::Known;
         }
         let text = |text: &Option<String>| text.as_ref().map(|text| plain(text, LONGEST));
@@ -134,7 +134,7 @@ impl FleetStops {
         if origin.len() > LONGEST {
             return false;
         }
-        if self.0.len() >= MOST && !self.0.contains_key(origin) {
+        if self.0.len() >= MAX_STATIONS && !self.0.contains_key(origin) {
             let over = self.0.iter().find(|(_, kept)| !kept.stop.holds());
             let over = over.map(|(origin, _)| origin.clone());
             return over.is_some_and(|over| self.0.remove(&over).is_some());
@@ -144,9 +144,9 @@ impl FleetStops {
 }
 
 /// The maximum number of stations in a fleet.
-const MOST: usize = 2000;
+const MAX_STATIONS: usize = 2000;
 /// The largest integer that every JSON reader preserves.
-const MOST_COUNT: u64 = 1 << 53;
+const MAX_COUNT: u64 = 1 << 53;
 /// The maximum characters kept of a text, and the maximum bytes of an origin.
 const LONGEST: usize = 200;
 
@@ -231,10 +231,10 @@ mod tests {
     #[test]
     fn a_flood_of_origins_is_bounded_and_displaces_no_active_stop() {
         let mut stops = after(&[stop("a", 5)]);
-        for number in 0..2 * MOST {
+        for number in 0..2 * MAX_STATIONS {
             stops.adopt(&reset(&format!("flood-{number}"), 1));
         }
-        assert_eq!(stops.all().len(), MOST);
+        assert_eq!(stops.all().len(), MAX_STATIONS);
         assert!(stops.holding().is_some());
         let long = "x".repeat(1000);
         assert_eq!(stops.adopt(&stop(&long, 1)), Adopted::Known);

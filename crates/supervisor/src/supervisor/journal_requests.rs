@@ -51,7 +51,7 @@ impl JournalRequests {
             self.unsaved = Some(Unsaved {
                 effect: effect.clone(),
                 why: why.to_owned(),
-                next: now + AGAIN,
+                next: now + RETRY_DELAY,
             });
         }
         is_news
@@ -62,7 +62,7 @@ impl JournalRequests {
         if let Some(unsaved) = &mut self.unsaved
             && unsaved.next <= now
         {
-            unsaved.next = now + AGAIN;
+            unsaved.next = now + RETRY_DELAY;
             self.effects.push_back(unsaved.effect.clone());
         }
     }
@@ -86,4 +86,4 @@ impl JournalRequests {
 }
 
 /// A person takes longer than this to free disk space.
-const AGAIN: Duration = Duration::from_secs(1);
+const RETRY_DELAY: Duration = Duration::from_secs(1);

@@ -187,12 +187,13 @@ impl Leases {
             return (turns, None);
         }
         let after = self.slots.student();
-        let goes_on = before
+        let continues = before
             .iter()
             .zip(after)
             .any(|(one, other)| is_same_person(one, other));
         let holder = self.lease.as_ref().map(|lease| lease.client);
-        if goes_on || holder.is_some_and(|holder| self.is_admin(holder) || self.has_time(holder)) {
+        if continues || holder.is_some_and(|holder| self.is_admin(holder) || self.has_time(holder))
+        {
             return (turns, None);
         }
         let why = match (after, before) {

@@ -104,12 +104,12 @@ impl Link {
 
     /// Handles a status; returns whether the link has just come up.
     pub(super) fn handle_status(&mut self) -> bool {
-        let comes_up = matches!(self.phase, LinkPhase::Listening | LinkPhase::Lost);
-        if comes_up {
+        let is_new = matches!(self.phase, LinkPhase::Listening | LinkPhase::Lost);
+        if is_new {
             self.phase = LinkPhase::Up;
             (self.problem, self.reported) = (None, None);
         }
-        comes_up
+        is_new
     }
 
     /// Returns whether a laser-off packet is still owed to the arm since the link came up, and

@@ -561,7 +561,7 @@ impl Supervisor {
         let is_program = self.leases.is_program(client);
         let remedy = refusal
             .hint()
-            .or_else(|| is_program.then(|| GOES_ON.into()));
+            .or_else(|| is_program.then(|| CONTINUE_HINT.into()));
         let remedy = remedy.map_or_else(String::new, |remedy| format!("; {remedy}"));
         let text = format!("refused to {}: {refusal}{remedy}", self.client_name(client));
         let kind = refusal.kind().to_owned();
@@ -621,7 +621,7 @@ fn slot_notice(turn: SlotChange) -> (News, String) {
 }
 
 /// The hint for a refused packet without a more specific one.
-const GOES_ON: &str = "send an allowed packet; this one was ignored";
+const CONTINUE_HINT: &str = "send an allowed packet; this one was ignored";
 pub(super) const REASON_LEN: usize = 200;
 /// The shortest and the longest step of a button, in mm or degrees.
 const SHORTEST_STEP: f32 = 0.01;

@@ -176,7 +176,7 @@ impl Slot {
 
 /// Reads the slots in order, or returns what is wrong with them.
 fn read(now: Duration, slots: &[TimeSlot]) -> Result<Vec<Slot>, String> {
-    let (found, most) = (slots.len(), TimeSlot::MOST);
+    let (found, most) = (slots.len(), TimeSlot::MAX_COUNT);
     if found > most {
         return Err(format!("{found} slots; allowed are up to {most}"));
     }

@@ -19,9 +19,9 @@ struct Round {
     /// Completed rounds.
     rounds: u32,
     /// Packets that may wait in the arm after the first release, while it slows down.
-    behind: u32,
-    /// Whether a status came since the last packet: the arm has room for another.
-    heard: bool,
+    waiting: u32,
+    /// Whether a status has arrived since the last packet: the arm has room for another.
+    received: bool,
     /// Whether the laser was switched off in this sequence; a button release alone does not do
     /// that.
     is_dark: bool,
@@ -34,30 +34,30 @@ impl Round {
             next: now.saturating_add(GAP),
             laser_is_next: false,
             rounds: 0,
-            behind: 0,
-            heard: true,
+            waiting: 0,
+            received: true,
             is_dark: true,
         }
     }
 
     /// Returns the next round, if any.
     fn after(self, arm: &Arm, unknown: Duration) -> Option<Self> {
-        let behind = self.behind + u32::from(self.rounds > 0);
-        let again = if behind >= MOST_BEHIND {
+        let waiting = self.waiting + u32::from(self.rounds > 0);
+        let again = if waiting >= MAX_WAITING {
             // One packet more would fill the queue of an arm that received all, and it would fall
             // silent as after a reset.
-            arm.rests_within(unknown).max(AGAIN)
+            arm.rests_within(unknown).max(RETRY_DELAY)
         } else if self.laser_is_next {
             GAP
         } else {
-            AGAIN
+            RETRY_DELAY
         };
         (self.rounds < ROUNDS).then_some(Self {
             next: arm.now() + again,
             laser_is_next: !self.laser_is_next,
             rounds: self.rounds + u32::from(!self.laser_is_next),
-            behind,
-            heard: false,
+            waiting,
+            received: false,
             is_dark: self.is_dark || self.laser_is_next,
         })
     }
@@ -67,7 +67,7 @@ impl StopSequence {
     /// Returns when the next packet is due, unless it waits for a status.
     pub(super) fn next(&self) -> Option<Duration> {
         self.round
-            .filter(|round| round.heard)
+            .filter(|round| round.received)
             .map(|round| round.next)
     }
 
@@ -81,8 +81,8 @@ impl StopSequence {
     /// restarted.
     pub(super) fn begin(&mut self, arm: &mut Arm) {
         let waits = arm.session().in_flight() > 0;
-        let goes_on = |round: &Round| round.is_dark && (round.rounds == 0 || waits);
-        if self.round.as_ref().is_some_and(goes_on) {
+        let continues = |round: &Round| round.is_dark && (round.rounds == 0 || waits);
+        if self.round.as_ref().is_some_and(continues) {
             return;
         }
         // Earlier urgent packets are repeated in their turn.
@@ -98,11 +98,11 @@ impl StopSequence {
             return;
         }
         self.round = Some(Round {
-            next: arm.now() + AGAIN,
+            next: arm.now() + RETRY_DELAY,
             laser_is_next: false,
             rounds: 1,
-            behind: 0,
-            heard: false,
+            waiting: 0,
+            received: false,
             is_dark: false,
         });
     }
@@ -117,7 +117,7 @@ impl StopSequence {
     /// one. A repetition waits for a status, so that the arm's queue does not fill up. `unknown` is
     /// the duration of motion that the session does not know of.
     pub(super) fn repeat(&mut self, arm: &mut Arm, is_linked: bool, unknown: Duration) {
-        let due = |round: &Round| round.next <= arm.now() && round.heard;
+        let due = |round: &Round| round.next <= arm.now() && round.received;
         let Some(round) = self.round.filter(due) else {
             return;
         };
@@ -128,7 +128,7 @@ impl StopSequence {
         if round.rounds > 0 && arm.session().in_flight() > 0 {
             // The arm executes commands in order: earlier packets wait there for their turn, and
             // more would only fill its queue.
-            let next = arm.now() + AGAIN;
+            let next = arm.now() + RETRY_DELAY;
             self.round = Some(Round { next, ..round });
             return;
         }
@@ -143,7 +143,7 @@ impl StopSequence {
     /// Handles a status: at rest, after two rounds, the sequence is over.
     pub(super) fn handle_status(&mut self, rests: bool) {
         if let Some(round) = &mut self.round {
-            round.heard = true;
+            round.received = true;
         }
         self.round = self.round.filter(|round| !rests || round.rounds < 2);
     }
@@ -152,8 +152,8 @@ impl StopSequence {
 /// Longer than a packet on the line plus the 8 ms that a stock arm needs between two (note N26).
 const GAP: Duration = dobot_wire::PACKET_GAP;
 /// Long enough for two statuses to show the effect.
-const AGAIN: Duration = Duration::from_millis(240);
+const RETRY_DELAY: Duration = Duration::from_millis(240);
 /// From the fourth waiting packet on, a stock arm withholds its statuses (note N27).
-const MOST_BEHIND: u32 = 3;
+const MAX_WAITING: u32 = 3;
 /// An arm that has not reacted after this many rounds does not receive.
 const ROUNDS: u32 = 3;

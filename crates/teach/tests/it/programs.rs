@@ -277,12 +277,12 @@ fn excessive_nesting_is_refused_quickly() {
 
 #[test]
 fn a_target_carries_grip_and_pause_and_unspecified_values_are_kept() {
-    let it = compiled(
+    let program = compiled(
         "[[steps]]\ngo = { x = 200, y = 10, z = -5, rotation = 15 }\npath = \"movl\"\nsuction = true\ngripper = 45\npause = 0.5\n\
          [[steps]]\ngo = { base = 10, rear = 20, fore = 30 }\n[[steps]]\nsuction = false\npause = 1",
     );
-    let Command::MoveTo(first) = it.commands[0] else {
-        panic!("{:?}", it.commands)
+    let Command::MoveTo(first) = program.commands[0] else {
+        panic!("{:?}", program.commands)
     };
     assert_eq!(
         [first.x_mm, first.y_mm, first.z_mm, first.rotation_deg],
@@ -292,8 +292,8 @@ fn a_target_carries_grip_and_pause_and_unspecified_values_are_kept() {
         (first.mode, first.suction, first.gripper_deg, first.pause_s),
         (MovingMode::MovL, true, 45.0, 0.5)
     );
-    let [Command::MoveJoints(second), Command::MoveJoints(here)] = it.commands[1..] else {
-        panic!("{:?}", it.commands)
+    let [Command::MoveJoints(second), Command::MoveJoints(here)] = program.commands[1..] else {
+        panic!("{:?}", program.commands)
     };
     assert!(second.suction && second.gripper_deg == 45.0 && second.pause_s == 0.0);
     assert_eq!(
@@ -301,14 +301,18 @@ fn a_target_carries_grip_and_pause_and_unspecified_values_are_kept() {
         (20.0, MovingMode::MovJ, false, 1.0)
     );
     assert_eq!(
-        it.steps.iter().map(|step| step.line).collect::<Vec<_>>(),
+        program
+            .steps
+            .iter()
+            .map(|step| step.line)
+            .collect::<Vec<_>>(),
         [1, 7, 9]
     );
 }
 
 #[test]
 fn a_grid_has_its_cells_row_by_row_then_layer_by_layer() {
-    let it = compiled(
+    let program = compiled(
         "[grids.tray]\nat = { x = 200, y = 0, z = 0 }\ncolumns = 2\nrows = 2\nlayers = 2\npitch = { x = 30, y = 20, z = 10 }\n\
          [[steps]]\neach = \"tray\"\nsteps = [{ go = \"tray\" }]",
     );
@@ -322,7 +326,7 @@ fn a_grid_has_its_cells_row_by_row_then_layer_by_layer() {
         [200.0, 20.0, 10.0],
         [230.0, 20.0, 10.0],
     ];
-    assert_eq!(places(&it), expected);
+    assert_eq!(places(&program), expected);
 }
 
 #[test]
@@ -333,19 +337,22 @@ fn grids_side_by_side_need_as_many_cells() {
         "{}",
         error(text, &mut NoFiles)
     );
-    let it = compiled(&text.replace("rows=2", "rows=3"));
-    assert_eq!(places(&it)[4..], [[240.0, 0.0, 0.0], [200.0, 130.0, 0.0]]);
+    let program = compiled(&text.replace("rows=2", "rows=3"));
+    assert_eq!(
+        places(&program)[4..],
+        [[240.0, 0.0, 0.0], [200.0, 130.0, 0.0]]
+    );
 }
 
 #[test]
 fn a_frame_turns_and_lifts_its_contents() {
     // Its x axis points left in the base frame, its y axis back.
-    let it = compiled(
+    let program = compiled(
         "[frames.f]\norigin = {x=200,y=50,z=10}\nx = {x=200,y=80,z=10}\ny = {x=180,y=50,z=10}\n\
          [points]\np = { x = 5, y = 7, z = 2, frame = \"f\" }\n[[steps]]\ngo = \"p\"\noffset = { x = 1, z = 3 }",
     );
-    let Command::MoveTo(to) = it.commands[0] else {
-        panic!("{:?}", it.commands)
+    let Command::MoveTo(to) = program.commands[0] else {
+        panic!("{:?}", program.commands)
     };
     for (found, expected) in [
         (to.x_mm, 193.0),
@@ -362,22 +369,22 @@ fn a_frame_turns_and_lifts_its_contents() {
 
 #[test]
 fn the_length_of_a_tool_is_added_to_points_but_not_to_taught_angles() {
-    let it = compiled(
+    let program = compiled(
         "[tools.cup]\nkind = \"suction_cup\"\nlength = 60\n[[steps]]\ntool = \"cup\"\n[[steps]]\ngo = {x=200,y=0,z=-100}\n[[steps]]\ngo = {base=0,rear=30,fore=30}",
     );
-    assert_eq!(places(&it), [[200.0, 0.0, -40.0]]);
-    assert!(matches!(it.commands[2], Command::MoveJoints(it) if it.rear_deg == 30.0));
+    assert_eq!(places(&program), [[200.0, 0.0, -40.0]]);
+    assert!(matches!(program.commands[2], Command::MoveJoints(joints) if joints.rear_deg == 30.0));
 }
 
 #[test]
 fn a_repeat_at_the_end_is_stored_once_with_its_count() {
     let body = "[[steps.steps]]\ngo = {x=200,y=0,z=0}\nsuction = true\n[[steps.steps]]\ngo = {x=200,y=50,z=0}\nsuction = false\n";
-    let it = compiled(&format!(
+    let program = compiled(&format!(
         "[[steps]]\ngo={{x=220,y=0,z=40}}\n[[steps]]\nrepeat = 10000000\n{body}"
     ));
-    assert_eq!((it.commands.len(), it.first_apart), (3, false));
+    assert_eq!((program.commands.len(), program.first_apart), (3, false));
     assert_eq!(
-        it.repeat.map(|repeat| (repeat.from, repeat.times)),
+        program.repeat.map(|repeat| (repeat.from, repeat.times)),
         Some((1, Some(10_000_000)))
     );
     let forever = compiled(&format!("[[steps]]\nrepeat = \"forever\"\n{body}"));
@@ -391,22 +398,22 @@ fn a_repeat_at_the_end_is_stored_once_with_its_count() {
 #[test]
 fn a_first_cycle_that_differs_is_placed_before_the_others() {
     // In the first cycle the gripper is at 0 until the second point; in later ones at 30.
-    let it = compiled(
+    let program = compiled(
         "[[steps]]\nrepeat = 5\n[[steps.steps]]\ngo = {x=200,y=0,z=0}\n[[steps.steps]]\ngo = {x=200,y=50,z=0}\ngripper = 30",
     );
-    assert_eq!((it.commands.len(), it.first_apart), (4, true));
+    assert_eq!((program.commands.len(), program.first_apart), (4, true));
     assert_eq!(
-        it.repeat.map(|repeat| (repeat.from, repeat.times)),
+        program.repeat.map(|repeat| (repeat.from, repeat.times)),
         Some((2, Some(4)))
     );
 }
 
 #[test]
 fn only_the_first_motion_starts_softly() {
-    let it = compiled(&format!(
+    let program = compiled(&format!(
         "start_speed_percent = 20\n[[steps]]\nspeed = {{ percent = 80 }}\n{GO}{GO}"
     ));
-    let percents: Vec<f32> = it
+    let percents: Vec<f32> = program
         .commands
         .iter()
         .filter_map(|command| match command {
@@ -416,18 +423,22 @@ fn only_the_first_motion_starts_softly() {
         .collect();
     assert_eq!(percents, [80.0, 16.0, 80.0]);
     assert!(
-        matches!(it.commands[2], Command::MoveTo(_))
-            && matches!(it.commands[4], Command::MoveTo(_))
+        matches!(program.commands[2], Command::MoveTo(_))
+            && matches!(program.commands[4], Command::MoveTo(_))
     );
 }
 
 #[test]
 fn a_barrier_waits_as_for_a_person_and_has_its_name() {
-    let it = compiled(&format!("{GO}[[steps]]\nbarrier = \"handed over\"\n{GO}"));
-    let at = it.steps.iter().find(|step| step.barrier.is_some()).unwrap();
+    let program = compiled(&format!("{GO}[[steps]]\nbarrier = \"handed over\"\n{GO}"));
+    let at = program
+        .steps
+        .iter()
+        .find(|step| step.barrier.is_some())
+        .unwrap();
     assert_eq!(at.barrier.as_deref(), Some("handed over"));
-    let [pause] = &it.pauses[..] else {
-        panic!("{:?}", it.pauses)
+    let [pause] = &program.pauses[..] else {
+        panic!("{:?}", program.pauses)
     };
     assert_eq!(pause.before, at.first);
     assert_eq!(pause.message, barrier_reason("handed over"));
@@ -445,15 +456,16 @@ fn a_barrier_before_the_first_motion_is_reported_with_a_remedy() {
 
 #[test]
 fn a_wait_is_placed_before_its_own_command_and_becomes_a_pause_of_the_job() {
-    let it = compiled(&format!("{GO}[[steps]]\nwait = \"put a cube here\""));
+    let program = compiled(&format!("{GO}[[steps]]\nwait = \"put a cube here\""));
     assert_eq!(
-        it.pauses
+        program
+            .pauses
             .iter()
             .map(|pause| pause.before)
             .collect::<Vec<_>>(),
         [1]
     );
-    assert_eq!(it.commands.len(), 2);
+    assert_eq!(program.commands.len(), 2);
     let before = compiled(&format!("[[steps]]\nwait = \"ready?\"\n{GO}"));
     assert_eq!((before.pauses[0].before, before.steps.len()), (0, 1));
 }
@@ -469,15 +481,15 @@ fn a_called_program_has_its_own_names_and_its_own_folder() {
     ]));
     let text =
         "[points]\np = {x=200,y=0,z=0}\n[[steps]]\ngo=\"p\"\n[[steps]]\ncall=\"./sub/a.toml\"";
-    let it = Program::from_toml(text)
+    let program = Program::from_toml(text)
         .unwrap()
         .compile(&mut files)
         .unwrap();
     assert_eq!(
-        places(&it),
+        places(&program),
         [[200.0, 0.0, 0.0], [210.0, 0.0, 0.0], [230.0, 0.0, 0.0]]
     );
-    assert_eq!(it.steps[2].file.as_deref(), Some("sub/b.toml"));
+    assert_eq!(program.steps[2].file.as_deref(), Some("sub/b.toml"));
 }
 
 #[test]
@@ -500,11 +512,11 @@ fn calls_that_never_end_are_found() {
 fn a_drawing_is_a_step_and_must_be_followed_by_a_target() {
     let drawing = "[[steps]]\ndrawing = { file = \"star.svg\", pen_down = -40 }\n";
     let mut files = TestFiles(BTreeMap::new());
-    let it = Program::from_toml(&format!("{drawing}{GO}"))
+    let program = Program::from_toml(&format!("{drawing}{GO}"))
         .unwrap()
         .compile(&mut files)
         .unwrap();
-    assert_eq!((it.commands.len(), it.steps[1].first), (3, 2));
+    assert_eq!((program.commands.len(), program.steps[1].first), (3, 2));
     let error = error(&format!("{drawing}[[steps]]\npause = 1"), &mut files);
     assert!(
         error.starts_with("line 3: ") && error.contains("drawing"),
@@ -514,11 +526,11 @@ fn a_drawing_is_a_step_and_must_be_followed_by_a_target() {
 
 #[test]
 fn all_problems_are_listed_with_step_line_and_remedy() {
-    let it = compiled(
+    let program = compiled(
         "[[steps]]\ngo = {x=200,y=0,z=0}\n[[steps]]\ngo = {x=500,y=0,z=0}\n[[steps]]\ngo = {x=200,y=0,z=-250}\n[[steps]]\ngo={x=220,y=0,z=0}\n[[steps]]\nspeed = { line = 5000 }",
     );
     let start = Model::new(Dialect::SPECIFICATION, &Status::AT_ZERO);
-    let report = check(&it, &Policy::default(), start);
+    let report = check(&program, &Policy::default(), start);
     let found: Vec<(usize, usize)> = report
         .problems
         .iter()
@@ -536,9 +548,9 @@ fn all_problems_are_listed_with_step_line_and_remedy() {
 
 #[test]
 fn a_laser_that_is_left_on_is_a_problem() {
-    let it = compiled(&format!("{GO}[[steps]]\nlaser = true"));
+    let program = compiled(&format!("{GO}[[steps]]\nlaser = true"));
     let start = Model::new(Dialect::SPECIFICATION, &Status::AT_ZERO);
-    let report = check(&it, &Policy::default(), start);
+    let report = check(&program, &Policy::default(), start);
     assert!(
         report
             .problems

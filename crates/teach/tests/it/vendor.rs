@@ -18,9 +18,9 @@ fn points(text: &str) -> (Vec<VendorPoint>, Vec<String>) {
 
 #[test]
 fn the_samples_are_written_as_they_were_read() {
-    let (it, warnings) = points(POINTS);
+    let (found, warnings) = points(POINTS);
     assert!(warnings.is_empty(), "{warnings:?}");
-    assert_eq!(write_points(&it), POINTS);
+    assert_eq!(write_points(&found), POINTS);
     let read = read_play(PLAY.as_bytes()).unwrap();
     assert!(read.warnings.is_empty());
     assert_eq!(write_play(&read.content), PLAY);
@@ -92,13 +92,13 @@ fn surprises_are_read_with_a_warning_each() {
     let commas = POINTS.replace("25.3125", "25,3125");
     let missing = POINTS.replacen("        <gripper>0</gripper>\n", "", 1);
     for text in [other_root, commas, missing] {
-        let (it, warnings) = points(&text);
-        assert_eq!(it, expected);
+        let (found, warnings) = points(&text);
+        assert_eq!(found, expected);
         assert_eq!(warnings.len(), 1, "{warnings:?}");
         assert!(warnings[0].starts_with("line "), "{warnings:?}");
     }
-    let (it, warnings) = points(&POINTS.replace('\n', "\r\n"));
-    assert_eq!((it, warnings.len()), (expected.clone(), 0));
+    let (found, warnings) = points(&POINTS.replace('\n', "\r\n"));
+    assert_eq!((found, warnings.len()), (expected.clone(), 0));
     let marked = [b"\xEF\xBB\xBF", POINTS.as_bytes()].concat();
     assert_eq!(read_points(&marked).unwrap().content, expected);
 }
@@ -185,8 +185,8 @@ fn a_bad_file_is_reported_with_its_line_the_found_and_the_allowed_value() {
 #[test]
 fn content_that_the_other_form_cannot_carry_is_reported() {
     let program = Program::from_toml("start_speed_percent = 20\n[[steps]]\ngo = {x=200,y=0,z=0}\n[[steps]]\ngo={base=0,rear=45,fore=45}\n[[steps]]\nwait = \"?\"").unwrap();
-    let (it, lost) = points_of(&program, &mut NoFiles).unwrap();
-    assert_eq!((it.len(), lost.len()), (2, 2), "{lost:?}");
+    let (found, lost) = points_of(&program, &mut NoFiles).unwrap();
+    assert_eq!((found.len(), lost.len()), (2, 2), "{lost:?}");
 }
 
 /// The joint angles of the points of a program.
@@ -335,14 +335,14 @@ proptest! {
         pause_s in 0.0..655.0_f64,
         mode in prop::sample::select(vec![MovingMode::Jump, MovingMode::MovL, MovingMode::MovJ]),
     ) {
-        let it = VendorPoint { joints_deg, mode, grab, gripper_deg, pause_s };
-        let read = read_points(write_points(&[it]).as_bytes()).unwrap();
-        prop_assert_eq!((&read.content[..], read.warnings.len()), (&[it][..], 0));
-        let play = read_play(write_play(&[it]).as_bytes()).unwrap().content[0];
+        let point = VendorPoint { joints_deg, mode, grab, gripper_deg, pause_s };
+        let read = read_points(write_points(&[point]).as_bytes()).unwrap();
+        prop_assert_eq!((&read.content[..], read.warnings.len()), (&[point][..], 0));
+        let play = read_play(write_play(&[point]).as_bytes()).unwrap().content[0];
         for (found, expected) in play.joints_deg.iter().zip(joints_deg) {
             prop_assert!((found - expected).abs() <= 0.0005 + 1e-9);
         }
-        let program = program_of(&[it]);
+        let program = program_of(&[point]);
         prop_assert_eq!(Program::from_toml(&program.to_toml()).unwrap(), program);
     }
 

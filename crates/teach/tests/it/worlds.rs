@@ -80,11 +80,15 @@ fn ends(program: &str, scene: &str, expected: &[(&str, [f64; 3])]) {
         let (objects, surprises) = carried_out(&compiled, scene, personality);
         assert!(surprises.is_empty(), "{personality}: {surprises:?}");
         for (name, [x, y, bottom]) in expected {
-            let it = objects.iter().find(|object| object.name == *name).unwrap();
-            let off = [it.at_mm.x - x, it.at_mm.y - y, it.bottom_mm - bottom];
+            let object = objects.iter().find(|object| object.name == *name).unwrap();
+            let off = [
+                object.at_mm.x - x,
+                object.at_mm.y - y,
+                object.bottom_mm - bottom,
+            ];
             assert!(
                 off.iter().all(|distance| distance.abs() < 0.5),
-                "{personality}: {it:?}, expected x {x} y {y} bottom {bottom} within 0.5 mm"
+                "{personality}: {object:?}, expected x {x} y {y} bottom {bottom} within 0.5 mm"
             );
         }
     }

@@ -384,7 +384,7 @@ impl Bytes for Packet {
 
 #[test]
 fn a_reader_that_wants_only_the_first_packet_keeps_its_place_on_the_line() {
-    let frames = [1.0, 2.0, 3.0].map(|it| Frame::ZERO.with(1, 2.0).with(2, it));
+    let frames = [1.0, 2.0, 3.0].map(|number| Frame::ZERO.with(1, 2.0).with(2, number));
     let bytes: Vec<u8> = frames.iter().flat_map(Frame::to_bytes).collect();
     let mut decoder = Decoder::commands();
     let first = decoder.feed(&bytes[..100]).next();

@@ -5,8 +5,8 @@ use std::fmt::{Display, Write};
 use crate::cases::spread::Spread;
 use crate::cases::watchdogs::Guarded;
 use crate::cases::{
-    cables, carries, clients, disks, floods, fuzz, kills, lines, long_lines, sessions, stands,
-    stops, watchdogs,
+    cables, carries, clients, disks, floods, fuzz, kills, lines, long_lines, sessions,
+    standing_laser, stops, watchdogs,
 };
 
 /// The document, and the errors found.
@@ -32,7 +32,7 @@ impl Report {
         self.disks(400 / fewer);
         self.stops(1_440 / fewer);
         self.long_lines(40_u64.div_ceil(fewer));
-        self.stands(60_u64.div_ceil(fewer));
+        self.standing_laser(60_u64.div_ceil(fewer));
         self.sessions(1_000 / fewer);
         self.line(TAIL);
         self.fuzz(200 / fewer);
@@ -329,8 +329,8 @@ impl Report {
         self.line(include_str!("work.md").trim_end());
     }
 
-    fn stands(&mut self, programs: u64) {
-        self.line(STANDS);
+    fn standing_laser(&mut self, programs: u64) {
+        self.line(STANDING_LASER);
         self.table(
             ["who sends it", "link"],
             &[
@@ -343,7 +343,7 @@ impl Report {
                 "most",
             ],
         );
-        for result in stands::run(programs) {
+        for result in standing_laser::run(programs) {
             let link = if result.link.is_empty() {
                 "good"
             } else {
@@ -510,7 +510,7 @@ Long lines are [split](drawing.md#how-the-plan-is-made). On a stock arm a vector
 30 mm/s it takes up to 0.6 s, and the light lasts up to 0.9 s. A slower link needs vectors earlier, and the light lasts longer
 by as much.";
 
-const STANDS: &str = "
+const STANDING_LASER: &str = "
 ## The laser and an arm that stands
 
 Burning and other vectors at random, with and without pauses between them: requests of a client, packets of a raw program, and

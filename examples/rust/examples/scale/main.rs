@@ -61,7 +61,7 @@ async fn measure(
     } = arguments;
     let own = std::process::id();
     let alone = Costs::at_rest(own, rest).await?;
-    alone.tell("a station alone", before, count);
+    alone.print_each("a station alone", before, count);
 
     let router = RouterProcess::start()?;
     let began = Instant::now();
@@ -71,20 +71,20 @@ async fn measure(
     let took = began.elapsed();
     println!("all members are known {took:.1?} after the first began to join");
     let joined = Costs::at_rest(own, rest).await?;
-    joined.tell("a station that has joined", before, count);
-    joined.tell_more("what joining adds", &alone, count);
+    joined.print_each("a station that has joined", before, count);
+    joined.print_more("what joining adds", &alone, count);
     Costs::at_rest(router.pid(), rest)
         .await?
-        .tell_all("the router");
+        .print("the router");
 
     let began = Instant::now();
     let board = stations.board().await?;
     let took = began.elapsed();
     println!("a board shows all members {took:.1?} after it was opened");
     let watched = Costs::at_rest(own, rest).await?;
-    watched.tell_more("what a board adds, for each station", &joined, count);
+    watched.print_more("what a board adds, for each station", &joined, count);
     let watched = Costs::at_rest(router.pid(), rest).await?;
-    watched.tell_all("the router, with a board");
+    watched.print("the router, with a board");
 
     press::at_rest(stations, arguments.presses).await?;
     press::while_all_burn(stations, arguments.burning).await?;

@@ -27,7 +27,7 @@ pub(crate) async fn at_rest(
         times.push(press(stations).await?);
         each(stations, |teacher| async move { let_move(&teacher).await }).await?;
     }
-    tell("stop all, arms at rest", &times);
+    print("stop all, arms at rest", &times);
     Ok(())
 }
 
@@ -49,11 +49,11 @@ pub(crate) async fn while_all_burn(
             teacher.request(Request::CancelJob { job }).await?;
         }
     }
-    tell("stop all, all lasers burning", &times);
+    print("stop all, all lasers burning", &times);
     Ok(())
 }
 
-fn tell(what: &str, presses: &[Press]) {
+fn print(what: &str, presses: &[Press]) {
     if presses.is_empty() {
         return;
     }

@@ -75,7 +75,7 @@ impl Stations {
     pub(crate) async fn all_know_all(&self) {
         let names = self.all.iter().map(|item| item.name.as_str());
         // The request is only sent if all recipients are known: the last one never is.
-        let names: Vec<_> = names.chain([NOBODY]).collect();
+        let names: Vec<_> = names.chain([MISSING_STATION]).collect();
         let request = ApiRequest {
             method: "POST".into(),
             path: "/api/v1/fleet/requests".into(),
@@ -108,11 +108,11 @@ impl Stations {
         let mut looks = interval(LOOK_EVERY);
         loop {
             let view: FleetView = fetch(&first, "/api/v1/fleet").await?;
-            let told = view
+            let reported = view
                 .members
                 .iter()
                 .filter(|station| station.state.is_some());
-            if told.count() == self.all.len() {
+            if reported.count() == self.all.len() {
                 return Ok(Board(reads));
             }
             looks.tick().await;
@@ -188,7 +188,7 @@ impl Desk {
         answer.status == 404
             && answer.body["detail"]
                 .as_str()
-                .is_some_and(|body| body.contains(NOBODY))
+                .is_some_and(|body| body.contains(MISSING_STATION))
     }
 
     /// Returns the address of its API.
@@ -202,5 +202,5 @@ impl Desk {
     }
 }
 
-const NOBODY: &str = "nobody";
+const MISSING_STATION: &str = "nobody";
 const LOOK_EVERY: Duration = Duration::from_millis(20);

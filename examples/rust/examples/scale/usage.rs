@@ -64,7 +64,7 @@ impl Costs {
     }
 
     /// Prints the cost of each station, above that of the process before.
-    pub(crate) fn tell(&self, what: &str, before: &Usage, stations: u16) {
+    pub(crate) fn print_each(&self, what: &str, before: &Usage, stations: u16) {
         let each = f64::from(stations);
         println!(
             "{what}: {:.2} % of a core, {:.2} MB, {:.1} threads, {:.1} files",
@@ -76,7 +76,7 @@ impl Costs {
     }
 
     /// Prints how much more each station costs than before.
-    pub(crate) fn tell_more(&self, what: &str, before: &Self, stations: u16) {
+    pub(crate) fn print_more(&self, what: &str, before: &Self, stations: u16) {
         let each = f64::from(stations);
         println!(
             "{what}: {:+.2} % of a core, {:+.2} MB",
@@ -86,7 +86,7 @@ impl Costs {
     }
 
     /// Prints the cost of a process.
-    pub(crate) fn tell_all(&self, what: &str) {
+    pub(crate) fn print(&self, what: &str) {
         println!(
             "{what}: {:.1} % of a core, {:.1} MB, {} threads, {} files",
             100.0 * self.share,

@@ -210,19 +210,19 @@ mod tests {
     fn at(place: [f64; 3]) -> State {
         let mut state = State::sample();
         let status = &mut state.arm.as_mut().unwrap().status;
-        [status.x_mm, status.y_mm, status.z_mm] = place.map(|it| it as f32);
+        [status.x_mm, status.y_mm, status.z_mm] = place.map(|number| number as f32);
         state
     }
 
-    fn press(it: &mut PaperToucher, code: KeyCode) {
+    fn press(toucher: &mut PaperToucher, code: KeyCode) {
         let key = KeyEvent::new(code, KeyModifiers::NONE);
-        it.handle_event(Duration::from_secs(1), &Event::Key(key));
+        toucher.handle_event(Duration::from_secs(1), &Event::Key(key));
     }
 
-    fn touch_all(it: &mut PaperToucher, count: usize) {
+    fn touch_all(toucher: &mut PaperToucher, count: usize) {
         for [x, y] in &SHEET_POINTS[..count] {
-            it.handle_state(at([*x, *y, -42.0 + 0.01 * x + (y / 100.0).powi(2)]));
-            press(it, KeyCode::Enter);
+            toucher.handle_state(at([*x, *y, -42.0 + 0.01 * x + (y / 100.0).powi(2)]));
+            press(toucher, KeyCode::Enter);
         }
     }
 
@@ -236,43 +236,43 @@ mod tests {
             },
             ..CalibrationFile::default()
         };
-        let mut it = toucher(Some(known.clone()));
-        touch_all(&mut it, 9);
-        press(&mut it, KeyCode::Char('w'));
-        assert_eq!(it.poll_file(), None);
-        press(&mut it, KeyCode::Char('w'));
-        let (file, text) = it.poll_file().unwrap();
+        let mut toucher = toucher(Some(known.clone()));
+        touch_all(&mut toucher, 9);
+        press(&mut toucher, KeyCode::Char('w'));
+        assert_eq!(toucher.poll_file(), None);
+        press(&mut toucher, KeyCode::Char('w'));
+        let (file, text) = toucher.poll_file().unwrap();
         assert_eq!(file, PathBuf::from("arm.toml.before"));
         assert_eq!(read_calibration(&text).unwrap(), known);
-        let (file, text) = it.poll_file().unwrap();
+        let (file, text) = toucher.poll_file().unwrap();
         assert_eq!(file, PathBuf::from("arm.toml"));
         let kept = read_calibration(&text).unwrap();
         assert_eq!(kept.zeros, known.zeros);
         let found = kept.paper.unwrap();
         assert_eq!(found.heights.len(), 9);
-        let bent: Vec<f64> = found.heights.iter().map(|it| it[2]).collect();
+        let bent: Vec<f64> = found.heights.iter().map(|height| height[2]).collect();
         assert!((bent[1] - bent[0] - 1.0).abs() < 0.01, "{bent:?}");
     }
 
     #[test]
     fn another_key_before_the_confirmation_saves_nothing() {
-        let mut it = toucher(None);
-        touch_all(&mut it, 3);
-        press(&mut it, KeyCode::Char('w'));
-        press(&mut it, KeyCode::Char('n'));
-        press(&mut it, KeyCode::Char('w'));
-        assert_eq!(it.poll_file(), None);
+        let mut toucher = toucher(None);
+        touch_all(&mut toucher, 3);
+        press(&mut toucher, KeyCode::Char('w'));
+        press(&mut toucher, KeyCode::Char('n'));
+        press(&mut toucher, KeyCode::Char('w'));
+        assert_eq!(toucher.poll_file(), None);
     }
 
     #[test]
     fn a_reset_of_the_arm_makes_the_touches_of_the_paper_void() {
-        let mut it = toucher(None);
-        touch_all(&mut it, 3);
+        let mut toucher = toucher(None);
+        touch_all(&mut toucher, 3);
         let mut state = at([200.0, 0.0, -42.0]);
         state.trust.trusted = false;
-        it.handle_state(state);
-        press(&mut it, KeyCode::Char('w'));
-        press(&mut it, KeyCode::Char('w'));
-        assert_eq!(it.poll_file(), None);
+        toucher.handle_state(state);
+        press(&mut toucher, KeyCode::Char('w'));
+        press(&mut toucher, KeyCode::Char('w'));
+        assert_eq!(toucher.poll_file(), None);
     }
 }

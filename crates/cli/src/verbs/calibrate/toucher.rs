@@ -273,9 +273,9 @@ mod tests {
     fn toucher(known: Option<CalibrationFile>) -> Toucher {
         let dead_man = Duration::from_millis(150);
         let pendant = Pendant::new(ClientId(7), KeyReports::Presses, dead_man, Drive::Jog);
-        let mut it = Toucher::new(pendant, "arm.toml".into(), known).with_block(Some(30.0));
-        it.handle_state(State::sample());
-        it
+        let mut toucher = Toucher::new(pendant, "arm.toml".into(), known).with_block(Some(30.0));
+        toucher.handle_state(State::sample());
+        toucher
     }
 
     /// The tip is on a point of the sheet.
@@ -298,132 +298,132 @@ mod tests {
         state
     }
 
-    fn press(it: &mut Toucher, code: KeyCode) {
+    fn press(toucher: &mut Toucher, code: KeyCode) {
         let key = KeyEvent::new(code, KeyModifiers::NONE);
-        it.handle_event(Duration::from_secs(1), &Event::Key(key));
+        toucher.handle_event(Duration::from_secs(1), &Event::Key(key));
     }
 
-    fn touch_all(it: &mut Toucher) {
+    fn touch_all(toucher: &mut Toucher) {
         for point in SHEET_POINTS {
-            it.handle_state(on(point));
-            press(it, KeyCode::Enter);
+            toucher.handle_state(on(point));
+            press(toucher, KeyCode::Enter);
         }
     }
 
     #[test]
     fn a_result_is_saved_only_after_it_was_shown() {
-        let mut it = toucher(None);
-        touch_all(&mut it);
-        press(&mut it, KeyCode::Char('w'));
-        assert_eq!(it.poll_file(), None);
-        press(&mut it, KeyCode::Char('w'));
-        let (file, text) = it.poll_file().unwrap();
+        let mut toucher = toucher(None);
+        touch_all(&mut toucher);
+        press(&mut toucher, KeyCode::Char('w'));
+        assert_eq!(toucher.poll_file(), None);
+        press(&mut toucher, KeyCode::Char('w'));
+        let (file, text) = toucher.poll_file().unwrap();
         assert_eq!(file, PathBuf::from("arm.toml"));
         let known = read_calibration(&text).unwrap();
         assert_eq!(known.touched.unwrap().points, 9);
         let place = Position::new(230.0, -50.0, -40.0);
         let raw = known.arm().told_place(place, Tool::SuctionCup).unwrap();
-        let came = ARM.true_place(raw, Tool::SuctionCup).unwrap();
-        assert!(came.distance(place).0 < 0.2, "{came:?}");
+        let reached = ARM.true_place(raw, Tool::SuctionCup).unwrap();
+        assert!(reached.distance(place).0 < 0.2, "{reached:?}");
     }
 
     #[test]
     fn a_previous_calibration_is_backed_up_first() {
         let known = CalibrationFile::default();
-        let mut it = toucher(Some(known.clone()));
-        touch_all(&mut it);
-        press(&mut it, KeyCode::Char('w'));
-        press(&mut it, KeyCode::Char('w'));
-        let (file, text) = it.poll_file().unwrap();
+        let mut toucher = toucher(Some(known.clone()));
+        touch_all(&mut toucher);
+        press(&mut toucher, KeyCode::Char('w'));
+        press(&mut toucher, KeyCode::Char('w'));
+        let (file, text) = toucher.poll_file().unwrap();
         assert_eq!(file, PathBuf::from("arm.toml.before"));
         assert_eq!(read_calibration(&text).unwrap(), known);
         let full = io::Error::other("the disk is full");
-        it.handle_saved(text, Err(full));
-        assert_eq!(it.poll_file(), None, "nothing is replaced without it");
+        toucher.handle_saved(text, Err(full));
+        assert_eq!(toucher.poll_file(), None, "nothing is replaced without it");
     }
 
     #[test]
     fn a_touch_on_a_block_is_corrected_by_its_height() {
-        let mut it = toucher(None);
-        touch_all(&mut it);
-        let flat = it.outcome.clone().unwrap();
-        press(&mut it, KeyCode::Char('b'));
+        let mut toucher = toucher(None);
+        touch_all(&mut toucher);
+        let flat = toucher.outcome.clone().unwrap();
+        press(&mut toucher, KeyCode::Char('b'));
         let [x, y] = SHEET_POINTS[0];
-        it.handle_state(at(Position::new(x, y, -10.0)));
-        press(&mut it, KeyCode::Enter);
-        let found = it.outcome.clone().unwrap();
+        toucher.handle_state(at(Position::new(x, y, -10.0)));
+        press(&mut toucher, KeyCode::Enter);
+        let found = toucher.outcome.clone().unwrap();
         assert!(found.residual_mm(9) < 0.1, "{}", found.residual_mm(9));
         assert!(found.left_out.is_empty());
         assert!(found.unsure.len() <= flat.unsure.len());
         // The next touch is on the paper again.
-        assert_eq!(it.height_mm(), 0.0);
+        assert_eq!(toucher.height_mm(), 0.0);
     }
 
     #[test]
     fn an_unusual_tool_is_saved_only_after_it_was_measured() {
-        let mut it = toucher(None);
+        let mut toucher = toucher(None);
         let long = Calibration {
             reach_mm: 10.0,
             ..ARM
         };
         for [x, y] in SHEET_POINTS {
-            it.handle_state(state_of(&long, Position::new(x, y, -40.0)));
-            press(&mut it, KeyCode::Enter);
+            toucher.handle_state(state_of(&long, Position::new(x, y, -40.0)));
+            press(&mut toucher, KeyCode::Enter);
         }
-        press(&mut it, KeyCode::Char('w'));
-        press(&mut it, KeyCode::Char('w'));
-        assert_eq!(it.poll_file(), None);
-        press(&mut it, KeyCode::Char('m'));
-        press(&mut it, KeyCode::Char('w'));
-        press(&mut it, KeyCode::Char('w'));
-        assert!(it.poll_file().is_some());
+        press(&mut toucher, KeyCode::Char('w'));
+        press(&mut toucher, KeyCode::Char('w'));
+        assert_eq!(toucher.poll_file(), None);
+        press(&mut toucher, KeyCode::Char('m'));
+        press(&mut toucher, KeyCode::Char('w'));
+        press(&mut toucher, KeyCode::Char('w'));
+        assert!(toucher.poll_file().is_some());
     }
 
     #[test]
     fn too_few_touches_are_not_saved() {
-        let mut it = toucher(None);
+        let mut toucher = toucher(None);
         for point in &SHEET_POINTS[..3] {
-            it.handle_state(on(*point));
-            press(&mut it, KeyCode::Enter);
+            toucher.handle_state(on(*point));
+            press(&mut toucher, KeyCode::Enter);
         }
-        press(&mut it, KeyCode::Char('w'));
-        press(&mut it, KeyCode::Char('w'));
-        assert_eq!(it.poll_file(), None);
+        press(&mut toucher, KeyCode::Char('w'));
+        press(&mut toucher, KeyCode::Char('w'));
+        assert_eq!(toucher.poll_file(), None);
     }
 
     #[test]
     fn a_reset_of_the_arm_makes_all_touches_void() {
-        let mut it = toucher(None);
-        touch_all(&mut it);
+        let mut toucher = toucher(None);
+        touch_all(&mut toucher);
         let mut state = on(SHEET_POINTS[0]);
         state.trust.trusted = false;
-        it.handle_state(state);
-        assert!(it.procedure.touches().is_empty());
-        press(&mut it, KeyCode::Enter);
+        toucher.handle_state(state);
+        assert!(toucher.procedure.touches().is_empty());
+        press(&mut toucher, KeyCode::Enter);
         assert!(
-            it.procedure.touches().is_empty(),
+            toucher.procedure.touches().is_empty(),
             "not touched before it is confirmed"
         );
     }
 
     #[test]
     fn a_touch_from_the_wrong_side_is_not_recorded() {
-        let mut it = toucher(None);
+        let mut toucher = toucher(None);
         let mut state = on(SHEET_POINTS[0]);
         state.arm.as_mut().unwrap().touch_refused =
             Some("the base came from the other side".into());
-        it.handle_state(state);
-        press(&mut it, KeyCode::Enter);
-        assert!(it.procedure.touches().is_empty());
+        toucher.handle_state(state);
+        press(&mut toucher, KeyCode::Enter);
+        assert!(toucher.procedure.touches().is_empty());
     }
 
     #[test]
     fn an_arm_that_moves_touches_nothing() {
-        let mut it = toucher(None);
+        let mut toucher = toucher(None);
         let mut state = on(SHEET_POINTS[0]);
         state.arm.as_mut().unwrap().moving = true;
-        it.handle_state(state);
-        press(&mut it, KeyCode::Enter);
-        assert!(it.procedure.touches().is_empty());
+        toucher.handle_state(state);
+        press(&mut toucher, KeyCode::Enter);
+        assert!(toucher.procedure.touches().is_empty());
     }
 }

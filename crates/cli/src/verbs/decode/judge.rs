@@ -328,7 +328,11 @@ mod tests {
             Content::OddStatus(_, Oddity::PoseLost) => 'n',
             Content::OddStatus(_, Oddity::Rounded { .. }) => '~',
             Content::OddStatus(_, Oddity::Damaged) => 'd',
-            Content::Command(readings) if readings.iter().any(|it| it.command.is_ok()) => 'c',
+            Content::Command(readings)
+                if readings.iter().any(|reading| reading.command.is_ok()) =>
+            {
+                'c'
+            }
             Content::Command(_) => 'r',
             Content::Skipped(_) | Content::Gap(_) => '-',
         };

@@ -44,7 +44,7 @@ mod tests {
     fn takes_floats(floats: [f32; 10]) -> bool {
         let frame = (1..)
             .zip(floats)
-            .fold(Frame::ZERO, |frame, (n, it)| frame.with(n, it));
+            .fold(Frame::ZERO, |frame, (n, float)| frame.with(n, float));
         takes(&frame.into())
     }
 

@@ -161,7 +161,7 @@ mod tests {
 
         #[test]
         fn hex_digits_are_the_bytes(expected: Vec<u8>, upper: bool, separator in " |:|,|-| 0x|") {
-            let byte = |it: &u8| if upper { format!("{it:02X}") } else { format!("{it:02x}") };
+            let byte = |byte: &u8| if upper { format!("{byte:02X}") } else { format!("{byte:02x}") };
             let prefix = if separator == " 0x" { "0x" } else { "" };
             let text: Vec<_> = expected.iter().map(byte).collect();
             proptest::prop_assume!(!text.is_empty());

@@ -144,8 +144,8 @@ async fn run_on_arms(home: &Home, parts: &[Part], as_json: bool) -> Result<(), F
     let (sender, orders) = mpsc::channel(8);
     let deciding = tokio::spawn(decide(sender, is_attended));
     let mut progress = Progress::new(parts, as_json, is_attended);
-    let outcome = run(home, parts, is_attended, orders, |said| {
-        progress.show(&said)
+    let outcome = run(home, parts, is_attended, orders, |event| {
+        progress.show(&event)
     })
     .await;
     deciding.abort();
@@ -203,22 +203,22 @@ impl<'a> Progress<'a> {
     }
 
     /// Shows an event. A closed standard output does not end the program of the arms.
-    fn show(&mut self, said: &RunEvent) {
-        match said {
+    fn show(&mut self, event: &RunEvent) {
+        match event {
             RunEvent::Queued(jobs) => self.jobs.clone_from(jobs),
             RunEvent::Started { within_ms, .. } => self.most_ms = self.most_ms.max(*within_ms),
             RunEvent::News(_) | RunEvent::Hindered { .. } => {}
         }
         if self.as_json {
-            return drop(output::json(said));
+            return drop(output::json(event));
         }
-        for line in self.lines(said) {
+        for line in self.lines(event) {
             drop(output::plain_line(&line));
         }
     }
 
-    fn lines(&self, said: &RunEvent) -> Vec<String> {
-        match said {
+    fn lines(&self, event: &RunEvent) -> Vec<String> {
+        match event {
             RunEvent::Queued(jobs) => {
                 let both = self.parts.iter().zip(jobs);
                 let line = |(part, job): (&Part, &u64)| {

@@ -58,6 +58,10 @@ mod tests {
                 ..DESK
             },
         ];
-        assert!(elsewhere.iter().all(|it| !it.have_a_desktop()));
+        assert!(
+            elsewhere
+                .iter()
+                .all(|surroundings| !surroundings.have_a_desktop())
+        );
     }
 }

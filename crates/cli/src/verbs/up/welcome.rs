@@ -195,7 +195,7 @@ mod tests {
     #[test]
     fn it_fits_on_a_terminal_of_eighty_columns() {
         let text = welcome().text(false);
-        let longest = text.lines().map(|it| it.chars().count()).max();
+        let longest = text.lines().map(|line| line.chars().count()).max();
         assert!(longest <= Some(80), "{longest:?}:\n{text}");
     }
 

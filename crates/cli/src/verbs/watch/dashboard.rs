@@ -284,14 +284,14 @@ mod tests {
     fn the_dashboard_shows_each_joint_between_its_limits() {
         let screen = screen(&view(), 80, 24);
         let row = |name| {
-            let row = screen.iter().find(|it| it.contains(name));
+            let row = screen.iter().find(|line| line.contains(name));
             row.unwrap_or_else(|| panic!("no {name}: {screen:#?}"))
         };
         // -5 to 85 degrees: 40 is in the middle; -90 to 90: -90 is at the very left.
         let place = |name| {
-            let bar: String = row(name).chars().skip_while(|it| *it != '├').collect();
-            let mark = bar.chars().position(|it| it == '●').expect("a mark");
-            let len = bar.chars().position(|it| it == '┤').expect("an end");
+            let bar: String = row(name).chars().skip_while(|sign| *sign != '├').collect();
+            let mark = bar.chars().position(|sign| sign == '●').expect("a mark");
+            let len = bar.chars().position(|sign| sign == '┤').expect("an end");
             (mark, len)
         };
         let (mark, len) = place("rear");

@@ -59,7 +59,7 @@ impl Picture<'_> {
     /// Returns the number of rows; a single pass needs none because the totals are above.
     fn rows(&self) -> u32 {
         let passes = u32::try_from(self.passes.len()).unwrap_or(u32::MAX);
-        if passes < 2 { 0 } else { passes.min(MOST_ROWS) }
+        if passes < 2 { 0 } else { passes.min(MAX_ROWS) }
     }
 
     /// Draws a row for each pass: name, strokes, vectors, ink, travel, time and error.
@@ -156,4 +156,4 @@ const ROW_HIGH: f64 = 4.2;
 const SWATCH: f64 = 5.0;
 const NAMES_WIDE: f64 = 62.0;
 const LONGEST_NAME: usize = 22;
-const MOST_ROWS: u32 = 12;
+const MAX_ROWS: u32 = 12;

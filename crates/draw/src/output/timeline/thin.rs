@@ -16,10 +16,10 @@ pub(super) fn thin(moments: &[TracePoint]) -> impl Iterator<Item = &TracePoint> 
 
 /// Returns the farthest moment to which the path from `here` is straight enough.
 fn last_before_a_bend(moments: &[TracePoint], here: usize) -> usize {
-    let most = (moments.len() - 1).min(here + MOST);
+    let most = (moments.len() - 1).min(here + MAX_SKIPPED);
     let mut last = here + 1;
     while last < most
-        && goes_on(&moments[last], &moments[last + 1])
+        && continues(&moments[last], &moments[last + 1])
         && is_straight(&moments[here..=last + 1])
     {
         last += 1;
@@ -28,7 +28,7 @@ fn last_before_a_bend(moments: &[TracePoint], here: usize) -> usize {
 }
 
 /// Whether no line begins or ends here.
-fn goes_on(here: &TracePoint, next: &TracePoint) -> bool {
+fn continues(here: &TracePoint, next: &TracePoint) -> bool {
     here.ink == next.ink && here.ink != Ink::Begin
 }
 
@@ -51,6 +51,6 @@ fn is_straight(way: &[TracePoint]) -> bool {
 }
 
 /// The maximum number of moments skipped: a row every 1.3 seconds is few enough.
-const MOST: usize = 64;
+const MAX_SKIPPED: usize = 64;
 const WAY_MM: f64 = 0.05;
 const ERROR_MM: f64 = 0.02;

@@ -10,7 +10,7 @@ pub(super) fn beginning(plan: &Plan, samples: &[Sample]) -> Result<usize, StartN
     let [x, y, z] = plan.start;
     let start = Position::new(x, y, z);
     let away_mm = |sample: &Sample| sample.position.distance(start).0;
-    let Some(came) = samples
+    let Some(arrived) = samples
         .iter()
         .position(|sample| away_mm(sample) <= AT_START_MM)
     else {
@@ -18,11 +18,11 @@ pub(super) fn beginning(plan: &Plan, samples: &[Sample]) -> Result<usize, StartN
         let start = plan.start;
         return Err(StartNotReached { start, nearest_mm });
     };
-    let there = samples[came..].iter().map(away_mm);
+    let there = samples[arrived..].iter().map(away_mm);
     let there: Vec<f64> = there.take_while(|&mm| mm <= AT_START_MM).collect();
     let nearest_mm = there.iter().copied().fold(f64::INFINITY, f64::min);
     let stays = there.iter().rposition(|&mm| mm <= nearest_mm + SAME_MM);
-    Ok(came + stays.unwrap_or(0))
+    Ok(arrived + stays.unwrap_or(0))
 }
 
 /// Returns the sample at which each vector ends, as far as the samples go. The first sample is the

@@ -73,8 +73,8 @@ fn levels(area: &Area, first_mm: f64, spacing_mm: f64) -> Result<Vec<Vec<Vec<Poi
     let rounds = ink.width().min(ink.height()).max(0.0) / (2.0 * spacing_mm);
     #[expect(clippy::cast_precision_loss, reason = "no more than memory holds")]
     let corners = corners as f64 * rounds;
-    if corners > f64::from(MOST_CORNERS) {
-        let most = MOST_CORNERS;
+    if corners > f64::from(MAX_CORNERS) {
+        let most = MAX_CORNERS;
         return Err(HatchError::TooManyCorners { corners, most });
     }
     let whole = SimpleArea::of(area.rings.iter().map(Vec::as_slice), area.rule);
@@ -149,10 +149,10 @@ fn begun_near(ring: &[Point], p: Point) -> Vec<Point> {
         return ring.to_vec();
     };
     let begin = nearest_on(edge, p).0;
-    let behind = &ring[number + 1..];
+    let after = &ring[number + 1..];
     let before = &ring[..=number];
     let mut begun = vec![begin];
-    begun.extend(behind.iter().chain(before).filter(|&&p| p != begin));
+    begun.extend(after.iter().chain(before).filter(|&&p| p != begin));
     begun
 }
 
@@ -173,4 +173,4 @@ fn edges(ring: &[Point]) -> impl Iterator<Item = (Point, Point)> {
 /// The maximum deviation of a rounded corner, in mm.
 const ROUND_MM: f64 = 0.01;
 /// As many as fit in 100 MB.
-const MOST_CORNERS: u32 = 2_000_000;
+const MAX_CORNERS: u32 = 2_000_000;

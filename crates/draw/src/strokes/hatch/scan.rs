@@ -51,10 +51,10 @@ impl Scan {
     fn check_count(&self) -> Result<(), HatchError> {
         let high = |(a, b): &(Point, Point)| (a.y - b.y).abs() + 4.0 * self.inset_mm;
         let crossings = self.edges.iter().map(high).sum::<f64>() / self.spacing_mm;
-        if crossings <= f64::from(MOST_CROSSINGS) {
+        if crossings <= f64::from(MAX_CROSSINGS) {
             return Ok(());
         }
-        let most = MOST_CROSSINGS;
+        let most = MAX_CROSSINGS;
         Err(HatchError::TooMany { crossings, most })
     }
 
@@ -162,4 +162,4 @@ struct Event {
 }
 
 /// As many as fit in 100 MB.
-const MOST_CROSSINGS: u32 = 2_000_000;
+const MAX_CROSSINGS: u32 = 2_000_000;

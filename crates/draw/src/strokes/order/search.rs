@@ -4,7 +4,7 @@ use dobot_geometry::Random;
 use std::collections::VecDeque;
 
 use super::nodes::{Near, Nodes};
-use super::tour::{MOST, Tour};
+use super::tour::{MAX_EDGES, Tour};
 use crate::preparation::cancel::CancelToken;
 
 /// Exchanges edges while the tour gets shorter (Lin-Kernighan): removes an edge, adds a shorter one
@@ -18,7 +18,7 @@ pub(super) struct LocalSearch<'a> {
     queue: VecDeque<u32>,
     queued: Vec<bool>,
     /// The ends of the removed edges, in pairs.
-    ends: [u32; 2 * MOST],
+    ends: [u32; 2 * MAX_EDGES],
     cancel: &'a CancelToken,
 }
 
@@ -29,8 +29,8 @@ impl<'a> LocalSearch<'a> {
             nodes,
             queue: VecDeque::with_capacity(size),
             queued: vec![false; size],
-            tour: Tour::new(tour, (WRITES / size).max(LEAST_REACH)),
-            ends: [0; 2 * MOST],
+            tour: Tour::new(tour, (WRITES / size).max(MIN_REACH)),
+            ends: [0; 2 * MAX_EDGES],
             cancel,
         }
     }
@@ -139,15 +139,15 @@ impl<'a> LocalSearch<'a> {
         let mut node = self.tour.at(random.below(self.tour.len()));
         let mut places = [0; 4];
         for place in &mut places {
-            for _ in 0..=random.below(MOST_STEPS_ASIDE) {
+            for _ in 0..=random.below(MAX_STEPS_ASIDE) {
                 node = self.nodes.neighbour(node, random)?;
             }
             let before = self.tour.previous(node);
             let after = self.tour.next(node);
             // Cut on the side of the node that is travel, because strokes must not be cut.
-            let is_behind = self.nodes.is_stroke(node, after)
+            let cuts_before = self.nodes.is_stroke(node, after)
                 || !self.nodes.is_stroke(node, before) && random.below(2) == 0;
-            *place = self.tour.place(if is_behind { before } else { node });
+            *place = self.tour.place(if cuts_before { before } else { node });
         }
         Some(places)
     }
@@ -239,8 +239,8 @@ impl<'a> LocalSearch<'a> {
     }
 
     /// Returns the most promising next steps.
-    fn steps(&self, depth: usize, open: f64) -> ([Step; MOST_STEPS], usize) {
-        let mut steps = [Step::default(); MOST_STEPS];
+    fn steps(&self, depth: usize, open: f64) -> ([Step; MAX_STEPS], usize) {
+        let mut steps = [Step::default(); MAX_STEPS];
         let (mut count, most) = (0, BREADTH[depth - 1]);
         let from = self.ends[2 * depth - 1];
         let around = [self.tour.next(from), self.tour.previous(from)];
@@ -299,14 +299,14 @@ struct Step {
 }
 
 /// The maximum number of removed edges, and the number of steps tried after each.
-const DEPTH: usize = MOST;
-const BREADTH: [usize; MOST - 1] = [5, 3, 1];
+const DEPTH: usize = MAX_EDGES;
+const BREADTH: [usize; MAX_EDGES - 1] = [5, 3, 1];
 
-const MOST_STEPS: usize = 5;
+const MAX_STEPS: usize = 5;
 /// Every other kick cuts the tour in four places within this window.
 const WINDOW: u32 = 50;
 /// The others cut it at the stops of a walk on paper with at most this many steps each.
-const MOST_STEPS_ASIDE: u32 = 3;
+const MAX_STEPS_ASIDE: u32 = 3;
 
 /// The initial mean loss accepted after a kick, in mean travel costs.
 const WARMTH: f64 = 4.0;
@@ -318,4 +318,4 @@ const KICK_WRITES: u64 = 8_000;
 const EPSILON: f64 = 1e-9;
 /// The maximum number of places an exchange may write, multiplied by the number of nodes.
 const WRITES: usize = 10_000_000_000;
-const LEAST_REACH: usize = 1000;
+const MIN_REACH: usize = 1000;

@@ -21,9 +21,9 @@ pub(super) struct Tour {
 pub(super) struct Exchange {
     count: usize,
     /// The places before the cuts, ascending; piece i begins after cut i.
-    cuts: [u32; MOST],
+    cuts: [u32; MAX_EDGES],
     /// Twice the piece number, plus one if it is reversed.
-    pieces: [u8; MOST],
+    pieces: [u8; MAX_EDGES],
 }
 
 impl Tour {
@@ -89,7 +89,7 @@ impl Tour {
     pub(super) fn exchange(&self, ends: &[u32]) -> Option<Exchange> {
         let sides = self.sides(ends);
         let count = ends.len() / 2;
-        let (mut pieces, mut passed, mut entry) = ([0; MOST], 0, 0);
+        let (mut pieces, mut passed, mut entry) = ([0; MAX_EDGES], 0, 0);
         loop {
             pieces[passed] = entry;
             passed += 1;
@@ -113,7 +113,7 @@ impl Tour {
     fn sides(&self, ends: &[u32]) -> Sides {
         let count = ends.len() / 2;
         // The cuts in tour order, each with its edge and whether that is reversed.
-        let mut sorted = [(0, 0, false); MOST];
+        let mut sorted = [(0, 0, false); MAX_EDGES];
         for (i, edge) in ends.chunks_exact(2).enumerate() {
             let backward = self.next(edge[0]) != edge[1];
             let before = edge[usize::from(backward)];
@@ -258,16 +258,16 @@ impl Tour {
 /// The two sides of each piece: 2 p at the start of piece p, 2 p + 1 at its end.
 #[derive(Default)]
 struct Sides {
-    cuts: [u32; MOST],
+    cuts: [u32; MAX_EDGES],
     /// The side of a piece for each end of an edge.
-    of_end: [u8; 2 * MOST],
+    of_end: [u8; 2 * MAX_EDGES],
     /// The end of an edge for each side of a piece.
-    end_at: [usize; 2 * MOST],
+    end_at: [usize; 2 * MAX_EDGES],
 }
 
 /// Returns the side at the end of the last piece.
 fn last_side(count: usize) -> u8 {
-    u8::try_from(2 * count - 1).expect("at most MOST pieces")
+    u8::try_from(2 * count - 1).expect("at most MAX_EDGES pieces")
 }
 
 /// Returns the end joined with this one: the next for an odd end, the one before for an even end.
@@ -287,7 +287,7 @@ const fn u32_of(place: usize) -> u32 {
 }
 
 /// The maximum number of edges that an exchange removes.
-pub(super) const MOST: usize = 4;
+pub(super) const MAX_EDGES: usize = 4;
 
 #[cfg(test)]
 mod tests {
@@ -310,8 +310,8 @@ mod tests {
     proptest! {
         #[test]
         fn an_exchange_swaps_only_its_edges_and_can_be_undone(
-            places in proptest::collection::btree_set(0_u32..12, 2..=MOST),
-            backward in proptest::collection::vec(any::<bool>(), MOST),
+            places in proptest::collection::btree_set(0_u32..12, 2..=MAX_EDGES),
+            backward in proptest::collection::vec(any::<bool>(), MAX_EDGES),
         ) {
             let given: Vec<u32> = (0..12).map(|i| i * 5 % 12).collect();
             let mut tour = Tour::new(given.clone(), 12);

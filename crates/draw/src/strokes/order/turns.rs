@@ -111,7 +111,7 @@ impl<'a> Turns<'a> {
         }
         let mut first = any(random);
         // Prefer long travel, where a change can gain the most, but do not search for it forever.
-        for _ in 0..MOST_LOOKED_AT {
+        for _ in 0..MAX_LOOKED_AT {
             if self.is_long(first) {
                 break;
             }
@@ -120,7 +120,7 @@ impl<'a> Turns<'a> {
         let mut places = [first; 4];
         let mut node = self.row.node(first);
         for place in &mut places[1..] {
-            for _ in 0..=random.below(MOST_STEPS_ASIDE) {
+            for _ in 0..=random.below(MAX_STEPS_ASIDE) {
                 node = self.nodes.neighbour(node, random)?;
             }
             *place = self.long_way_from(self.row.place(node).max(1), random.below(2) == 0);
@@ -133,7 +133,7 @@ impl<'a> Turns<'a> {
     /// Moves from a place to the next long travel within a limited distance.
     fn long_way_from(&self, place: usize, ahead: bool) -> usize {
         let mut found = place;
-        for _ in 0..MOST_STEPS_ALONG {
+        for _ in 0..MAX_STEPS_ALONG {
             if found <= 1 || found + 1 >= self.row.len() || self.is_long(found) {
                 break;
             }
@@ -182,9 +182,9 @@ impl<'a> Turns<'a> {
 
     /// Moves strokes that begin or end with that of a node next to another one.
     fn shift(&mut self, node: u32, here: usize) -> bool {
-        let behind = self.ends_behind(here).map(|to| (here, to));
+        let after = self.ends_after(here).map(|to| (here, to));
         let before = self.begins_before(here).map(|from| (from, here + 1));
-        let parts = behind.into_iter().chain(before);
+        let parts = after.into_iter().chain(before);
         parts
             .filter(|&(from, to)| from > 0 && to > 0)
             .any(|(from, to)| {
@@ -239,14 +239,14 @@ impl<'a> Turns<'a> {
 
     /// Returns possible ends of parts that begin here: after few strokes, or before a long travel.
     /// 0 means none.
-    fn ends_behind(&self, here: usize) -> [usize; MOST_PARTS] {
+    fn ends_after(&self, here: usize) -> [usize; MAX_PARTS] {
         let is_end =
             |&to: &usize| to - here <= SHORT || to == self.row.len() || self.is_longer(to, to - 1);
         first_of((here + 1..=self.row.len()).take(LONGEST).filter(is_end))
     }
 
     /// Returns possible starts of parts that end here.
-    fn begins_before(&self, here: usize) -> [usize; MOST_PARTS] {
+    fn begins_before(&self, here: usize) -> [usize; MAX_PARTS] {
         let is_begin =
             |&from: &usize| here - from < SHORT || from == 1 || self.is_longer(from, from + 1);
         first_of((1..=here).rev().take(LONGEST).filter(is_begin))
@@ -287,8 +287,8 @@ const fn forward(from: usize, to: usize) -> Part {
 }
 
 /// Returns the first few places, padded with zeros.
-fn first_of(places: impl Iterator<Item = usize>) -> [usize; MOST_PARTS] {
-    let mut found = [0; MOST_PARTS];
+fn first_of(places: impl Iterator<Item = usize>) -> [usize; MAX_PARTS] {
+    let mut found = [0; MAX_PARTS];
     for (slot, place) in found.iter_mut().zip(places) {
         *slot = place;
     }
@@ -296,7 +296,7 @@ fn first_of(places: impl Iterator<Item = usize>) -> [usize; MOST_PARTS] {
 }
 
 /// The number of parts tried that begin or end with a stroke.
-const MOST_PARTS: usize = 12;
+const MAX_PARTS: usize = 12;
 /// Parts of at most this many strokes may end anywhere.
 const SHORT: usize = 3;
 /// The maximum number of strokes in a moved part.
@@ -304,11 +304,11 @@ const LONGEST: usize = 300;
 /// A travel is long if it costs this many times its neighbour.
 const LONG: f64 = 1.6;
 /// The number of places examined to find a long travel for a kick.
-const MOST_LOOKED_AT: u32 = 100;
+const MAX_LOOKED_AT: u32 = 100;
 /// The maximum number of steps of the walk on paper to the next place of a kick.
-const MOST_STEPS_ASIDE: u32 = 3;
+const MAX_STEPS_ASIDE: u32 = 3;
 /// The maximum number of strokes from there to a long travel.
-const MOST_STEPS_ALONG: u32 = 30;
+const MAX_STEPS_ALONG: u32 = 30;
 /// The minimum gain, in mm or s: above rounding errors.
 const EPSILON: f64 = 1e-7;
 

@@ -142,9 +142,9 @@ impl<'a> Corridor<'a> {
 }
 
 /// Returns the unit vector to the left of a path that turns at a point; zero at a reversal.
-fn across(came: Vec2, goes: Vec2) -> Vec2 {
+fn across(incoming: Vec2, outgoing: Vec2) -> Vec2 {
     let unit = |way: Vec2| way * (1.0 / way.length().max(f64::MIN_POSITIVE));
-    let along = unit(came) + unit(goes);
+    let along = unit(incoming) + unit(outgoing);
     let length = along.length();
     if length > 1e-6 {
         along.turn_90() * (1.0 / length)

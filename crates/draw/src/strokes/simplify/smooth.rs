@@ -131,8 +131,8 @@ mod tests {
         let corridor = Corridor::new(&points, false, 0.045);
         let path = smooth(&corridor).expect("a path");
         let turn = |at: &[Point]| {
-            let (came, goes) = (at[1] - at[0], at[2] - at[1]);
-            came.cross(goes).atan2(came.dot(goes))
+            let (incoming, outgoing) = (at[1] - at[0], at[2] - at[1]);
+            incoming.cross(outgoing).atan2(incoming.dot(outgoing))
         };
         let sharpest = |at: &[Point]| {
             at.windows(3)

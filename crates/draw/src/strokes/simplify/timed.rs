@@ -92,7 +92,7 @@ impl<'a> Course<'a> {
         let places = CornerPlaces::of(self, corridor, sides).all;
         let rates = Rates::of(estimator);
         // Pruning late places is fast, but may cut off the only path; then search without it.
-        let quickly = labels(corridor, &places, &rates, MOST_LATE_S);
+        let quickly = labels(corridor, &places, &rates, MAX_LATE_S);
         let reached = |labels: &[Label]| labels[labels.len() - 1].time_s.is_finite();
         let labels = if reached(&quickly) {
             quickly
@@ -288,8 +288,8 @@ impl<'a> CornerPlaces<'a> {
 }
 
 fn is_sharp(before: Point, here: Point, after: Point) -> bool {
-    let (came, goes) = (here - before, after - here);
-    came.dot(goes) < SHARP_COS * came.length() * goes.length()
+    let (incoming, outgoing) = (here - before, after - here);
+    incoming.dot(outgoing) < SHARP_COS * incoming.length() * outgoing.length()
 }
 
 /// The fastest way to reach a place.
@@ -299,14 +299,14 @@ struct Label {
     /// The place before.
     before: usize,
     /// The displacement of the tool in the window before its arrival.
-    came: Vec2,
+    displacement: Vec2,
 }
 
 impl Label {
     const UNREACHED: Self = Self {
         time_s: f64::INFINITY,
         before: 0,
-        came: Vec2::ZERO,
+        displacement: Vec2::ZERO,
     };
 
     /// Returns how the next place is reached from this one.
@@ -323,12 +323,12 @@ impl Label {
         };
         // The arm reports positions a window apart; the difference of two displacements is what it
         // measures as acceleration.
-        let seen = (part(from.after_mm) - self.came).length() / rates.seen_mm;
+        let seen = (part(from.after_mm) - self.displacement).length() / rates.seen_mm;
         let beyond = (seen - SEEN_SHARE).max(0.0);
         Self {
             time_s: self.time_s + took_s + TOO_SHARP_S * beyond * beyond,
             before: here,
-            came: part(to.before_mm),
+            displacement: part(to.before_mm),
         }
     }
 }
@@ -448,7 +448,7 @@ fn go_to(
         if to.step == from.step {
             continue;
         }
-        if to.step > from.step + MOST_STEPS {
+        if to.step > from.step + MAX_STEPS {
             break;
         }
         while passed < to.passed {
@@ -491,14 +491,14 @@ fn path(places: &[CornerPlace], labels: &[Label]) -> Vec<Corner> {
     path
 }
 
-/// Places reached later than the best of this many steps by [`MOST_LATE_S`] are not expanded.
+/// Places reached later than the best of this many steps by [`MAX_LATE_S`] are not expanded.
 const STEPS_BACK: usize = 7;
-const MOST_LATE_S: f64 = 2.0 * TICK_S;
+const MAX_LATE_S: f64 = 2.0 * TICK_S;
 /// The maximum number of steps that a vector spans.
-const MOST_STEPS: usize = 24;
+const MAX_STEPS: usize = 24;
 /// The number of ticks with places before and after a point of the stroke, so that a vector can
 /// span everything between two points.
-const NEAR_A_POINT: usize = MOST_STEPS / 2 - 1;
+const NEAR_A_POINT: usize = MAX_STEPS / 2 - 1;
 /// The offsets of places from the stroke, as shares of the tolerance: many, and few.
 pub(super) const SIDES: [f64; 5] = [0.0, 0.99, -0.99, 0.5, -0.5];
 pub(super) const FEW_SIDES: [f64; 3] = [0.0, 0.99, -0.99];

@@ -24,14 +24,14 @@ pub(super) struct PartState {
     pub(super) runs: bool,
     /// Released from its barrier, but not yet seen to have started.
     is_released: bool,
-    /// The others have continued without it.
-    is_behind: bool,
+    /// The others continued without it.
+    was_left: bool,
     /// It has to be started alone.
     start_is_due: bool,
     /// The response to its start is missing, and it was not observed since.
     is_unknown: bool,
     /// The time of the last contact.
-    pub(super) heard: Duration,
+    pub(super) last_contact: Duration,
     /// Without contact for too long.
     pub(super) is_silent: bool,
     /// The reason why it does not continue.
@@ -67,10 +67,10 @@ impl PartState {
             arrived: None,
             runs: false,
             is_released: false,
-            is_behind: false,
+            was_left: false,
             start_is_due: true,
             is_unknown: false,
-            heard: Duration::ZERO,
+            last_contact: Duration::ZERO,
             is_silent: false,
             trouble: None,
             is_held: false,
@@ -135,16 +135,16 @@ impl PartState {
 
     /// Marks it as about to be started.
     pub(super) fn release(&mut self) {
-        self.is_behind = self.start_is_due && self.at == At::Waiting;
+        self.was_left = self.start_is_due && self.at == At::Waiting;
         self.start_is_due = false;
         self.is_released = true;
     }
 
     /// Handles a start that was not carried out.
     pub(super) fn take_back(&mut self) {
-        self.is_released = self.is_behind;
+        self.is_released = self.was_left;
         // At a barrier it keeps waiting with the others.
-        self.start_is_due = self.is_behind || self.at != At::Waiting;
+        self.start_is_due = self.was_left || self.at != At::Waiting;
     }
 
     /// Resumes on request of a person.
@@ -152,15 +152,15 @@ impl PartState {
         if !self.is_held {
             return;
         }
-        let stands = matches!(self.at, At::Queued | At::Paused);
-        self.start_is_due = stands || self.is_released;
+        let is_waiting = matches!(self.at, At::Queued | At::Paused);
+        self.start_is_due = is_waiting || self.is_released;
         self.trouble = None;
         self.is_held = false;
         self.is_pausing = false;
     }
 
     /// Returns the reason why it cannot be resumed at all.
-    pub(super) fn hindrance(&self) -> Option<String> {
+    pub(super) fn obstacle(&self) -> Option<String> {
         match &self.at {
             At::Broken(why) => Some(why.clone()),
             _ if self.is_silent => self.trouble.clone(),

@@ -108,22 +108,25 @@ fn one(figures: &mut Cables, personality: Personality, sort: Sort, seed: u64) ->
     let drawing = sort.job(&mut chance);
     let job = scene.begin(&drawing)?;
     come_to(figures.during, &mut scene, job, &mut chance)?;
-    scene.it.unplug();
-    scene.it.run_for(chance.time(Duration::from_secs(6)));
-    let (back, burnt) = (scene.it.now(), scene.burns());
-    scene.it.plug();
+    scene.station.unplug();
+    scene.station.run_for(chance.time(Duration::from_secs(6)));
+    let (back, burnt) = (scene.station.now(), scene.burns());
+    scene.station.plug();
     let dark = |station: &dobot_host::VirtualStation| !super::scene::burns(station);
-    if !scene.it.run_until(back + Duration::from_secs(10), dark) {
+    if !scene
+        .station
+        .run_until(back + Duration::from_secs(10), dark)
+    {
         return Err(Wrong("the laser burns on".into()));
     }
     if burnt {
-        figures.dark_s.add_time(back, scene.it.now());
+        figures.dark_s.add_time(back, scene.station.now());
     }
     figures.pulls += 1;
     figures.paused += usize::from(matches!(scene.settle(job)?, JobState::Paused { .. }));
     scene.finish(job)?;
     if scene
-        .it
+        .station
         .notices()
         .iter()
         .any(|notice| notice.news == News::Reset)
@@ -141,11 +144,13 @@ fn one(figures: &mut Cables, personality: Personality, sort: Sort, seed: u64) ->
 fn come_to(during: During, scene: &mut Scene, job: u64, chance: &mut Chance) -> Result<(), Wrong> {
     let planned = scene.planned();
     if during == During::Approach {
-        scene.it.run_for(chance.time(Duration::from_millis(1_500)));
+        scene
+            .station
+            .run_for(chance.time(Duration::from_millis(1_500)));
         return Ok(());
     }
     scene
-        .it
+        .station
         .run_for(Duration::from_millis(500) + chance.time(planned * 3 / 4));
     let most_ms = match during {
         During::Approach | During::Running => return Ok(()),
@@ -155,7 +160,7 @@ fn come_to(during: During, scene: &mut Scene, job: u64, chance: &mut Chance) -> 
         During::Resuming => 1_500,
     };
     // A job that was over by then cannot be paused; the cable is still pulled.
-    let pausing = scene.it.ask(scene.anna, Request::PauseJob).is_ok();
+    let pausing = scene.station.ask(scene.anna, Request::PauseJob).is_ok();
     if pausing && matches!(during, During::Paused | During::Resuming) {
         scene.settle(job)?;
     }
@@ -163,7 +168,7 @@ fn come_to(during: During, scene: &mut Scene, job: u64, chance: &mut Chance) -> 
         scene.start(job)?;
     }
     scene
-        .it
+        .station
         .run_for(chance.time(Duration::from_millis(most_ms)));
     Ok(())
 }

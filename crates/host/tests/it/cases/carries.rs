@@ -79,17 +79,18 @@ pub(crate) fn station(
         .with_world(World::new(
             Scene::parse(SCENE).expect("on the twin this works"),
         ));
-    let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
-    it.run_for(Duration::from_secs(1));
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease)
+    let mut station = VirtualStation::with_arm(arm, power_up, Policy::default());
+    station.run_for(Duration::from_secs(1));
+    let anna = station.client("Anna");
+    station
+        .ask(anna, Request::TakeLease)
         .expect("on the twin this works");
-    (it, anna)
+    (station, anna)
 }
 
 /// Returns whether the cube lies at a position of the cup.
-pub(crate) fn cube_is_at(it: &VirtualStation, place: [f32; 3]) -> bool {
-    let objects = it
+pub(crate) fn cube_is_at(station: &VirtualStation, place: [f32; 3]) -> bool {
+    let objects = station
         .arm()
         .world()
         .expect("on the twin this works")
@@ -104,18 +105,25 @@ pub(crate) fn cube_is_at(it: &VirtualStation, place: [f32; 3]) -> bool {
 }
 
 /// A person looks at the arm, confirms its pose, and resumes the job.
-pub(crate) fn attend(it: &mut VirtualStation, job: u64) {
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease)
+pub(crate) fn attend(station: &mut VirtualStation, job: u64) {
+    let anna = station.client("Anna");
+    station
+        .ask(anna, Request::TakeLease)
         .expect("on the twin this works");
     // The arm may still be on its way.
-    it.run_for(Duration::from_secs(12));
-    if it.job(job).expect("on the twin this works").state.is_over() {
+    station.run_for(Duration::from_secs(12));
+    if station
+        .job(job)
+        .expect("on the twin this works")
+        .state
+        .is_over()
+    {
         return;
     }
-    it.ask(anna, Request::ConfirmPose)
+    station
+        .ask(anna, Request::ConfirmPose)
         .expect("on the twin this works");
-    it.start(anna, job).expect("on the twin this works");
+    station.start(anna, job).expect("on the twin this works");
 }
 
 /// The outcome for the cube.
@@ -135,32 +143,37 @@ pub(crate) struct Carries {
 
 /// Runs this many cycles, with one damaged packet in a thousand in each direction and a kill every fifty cycles.
 pub(crate) fn run(cycles: u64) -> Carries {
-    let (mut it, anna) = station(Personality::Specification, &[ONE_PACKET_OF_A_THOUSAND], 11);
-    let job = it
+    let (mut station, anna) = station(Personality::Specification, &[ONE_PACKET_OF_A_THOUSAND], 11);
+    let job = station
         .submit(&shuttle(Some(cycles)))
         .expect("on the twin this works");
-    it.start(anna, job).expect("on the twin this works");
+    station.start(anna, job).expect("on the twin this works");
     let (mut kills, mut again) = (0, 0);
-    while !it.job(job).expect("on the twin this works").state.is_over()
+    while !station
+        .job(job)
+        .expect("on the twin this works")
+        .state
+        .is_over()
         && kills * KILLED_EVERY < 2 * cycles
     {
         let until = (kills + 1) * KILLED_EVERY * 8 + kills % 8;
-        let latest = it.now() + Duration::from_secs(10 * 3600);
-        it.run_until(latest, |station| {
+        let latest = station.now() + Duration::from_secs(10 * 3600);
+        station.run_until(latest, |station| {
             let progress = station.supervisor().job_progress();
             progress.is_none_or(|progress| progress.0 as u64 > until)
         });
-        if it.supervisor().job_progress().is_none() {
-            it.run_for(Duration::from_secs(1));
+        if station.supervisor().job_progress().is_none() {
+            station.run_for(Duration::from_secs(1));
             break;
         }
-        it.run_for(Duration::from_millis(137 * (kills % 17)));
-        it.crash(Duration::from_millis(100 * (kills % 40)))
+        station.run_for(Duration::from_millis(137 * (kills % 17)));
+        station
+            .crash(Duration::from_millis(100 * (kills % 40)))
             .expect("on the twin this works");
         kills += 1;
-        attend(&mut it, job);
+        attend(&mut station, job);
     }
-    again += it
+    again += station
         .notices()
         .iter()
         .filter(|notice| notice.text.contains("sent again"))
@@ -169,9 +182,9 @@ pub(crate) fn run(cycles: u64) -> Carries {
         cycles,
         kills,
         again,
-        is_right: cube_is_at(&it, HERE),
-        took: it.now(),
-        state: it
+        is_right: cube_is_at(&station, HERE),
+        took: station.now(),
+        state: station
             .job(job)
             .expect("on the twin this works")
             .state

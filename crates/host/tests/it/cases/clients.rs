@@ -58,20 +58,26 @@ fn jog(figures: &mut Clients, personality: Personality, seed: u64) -> Result<(),
     let mut scene = Scene::new(personality)?;
     let button = button(&mut chance);
     for _ in 0..2 + chance.below(20) {
-        scene.it.ask(scene.anna, Request::Jog { jog: button })?;
-        scene.it.run_for(Duration::from_millis(50));
+        scene
+            .station
+            .ask(scene.anna, Request::Jog { jog: button })?;
+        scene.station.run_for(Duration::from_millis(50));
     }
-    scene.it.ask(scene.anna, Request::Jog { jog: button })?;
+    scene
+        .station
+        .ask(scene.anna, Request::Jog { jog: button })?;
     if figures.how == GONE {
-        scene.it.run_for(chance.time(Duration::from_millis(140)));
+        scene
+            .station
+            .run_for(chance.time(Duration::from_millis(140)));
     }
-    let (at, before) = (scene.it.now(), scene.it.packets().len());
+    let (at, before) = (scene.station.now(), scene.station.packets().len());
     if figures.how == GONE {
-        scene.it.leave(scene.anna);
+        scene.station.leave(scene.anna);
     }
     let there = place(&scene);
-    scene.it.run_for(Duration::from_secs(5));
-    let first = scene.it.packets().get(before).map(|packet| packet.0);
+    scene.station.run_for(Duration::from_secs(5));
+    let first = scene.station.packets().get(before).map(|packet| packet.0);
     let first = first.ok_or_else(|| Wrong("nothing was sent".into()))?;
     figures.packet_s.add_time(at, first);
     figures
@@ -88,33 +94,37 @@ fn burn(figures: &mut Clients, personality: Personality, seed: u64) -> Result<()
     let mut chance = Chance::new(seed);
     let mut scene = Scene::new(personality)?;
     scene.begin(&Sort::Burn.job(&mut chance))?;
-    let latest = scene.it.now() + Duration::from_secs(30);
-    if !scene.it.run_until(latest, burns) {
+    let latest = scene.station.now() + Duration::from_secs(30);
+    if !scene.station.run_until(latest, burns) {
         return Err(Wrong("it does not begin to burn".into()));
     }
-    scene.it.run_for(chance.time(Duration::from_secs(2)));
-    let (at, packets) = (scene.it.now(), scene.it.packets().len());
-    scene.it.leave(scene.anna);
+    scene.station.run_for(chance.time(Duration::from_secs(2)));
+    let (at, packets) = (scene.station.now(), scene.station.packets().len());
+    scene.station.leave(scene.anna);
     // The packet before may still be on the line.
-    scene.it.run_for(Duration::from_millis(60));
+    scene.station.run_for(Duration::from_millis(60));
     let sent: Vec<Command> = scene.sent(packets);
     if sent.first() != Some(&LASER_OFF) {
         return Err(Wrong(format!("the first packet is {:?}", sent.first())));
     }
     figures.packet_s.add(
-        scene.it.packets()[packets]
+        scene.station.packets()[packets]
             .0
             .saturating_sub(at)
             .as_secs_f64(),
     );
-    let mut lit = if scene.burns() { scene.it.now() } else { at };
+    let mut lit = if scene.burns() {
+        scene.station.now()
+    } else {
+        at
+    };
     let note = |station: &VirtualStation| {
         if burns(station) {
             lit = station.now();
         }
         false
     };
-    scene.it.run_until(at + Duration::from_secs(20), note);
+    scene.station.run_until(at + Duration::from_secs(20), note);
     figures.over_s.add_time(at, lit);
     note_lease(figures, &scene);
     figures.times += 1;
@@ -123,12 +133,16 @@ fn burn(figures: &mut Clients, personality: Personality, seed: u64) -> Result<()
 
 /// Returns the true position of the tool.
 fn place(scene: &Scene) -> Position {
-    let joints = scene.it.arm().mechanics().joints_at(scene.it.now());
+    let joints = scene
+        .station
+        .arm()
+        .mechanics()
+        .joints_at(scene.station.now());
     forward(&joints, Tool::SuctionCup).position
 }
 
 fn note_lease(figures: &mut Clients, scene: &Scene) {
-    let held = scene.it.supervisor().state().lease.is_some();
+    let held = scene.station.supervisor().state().lease.is_some();
     figures.not_free += usize::from(held && figures.how != SILENT);
 }
 

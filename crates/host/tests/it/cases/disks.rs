@@ -55,12 +55,12 @@ fn one(figures: &mut Disks, personality: Personality, sort: Sort, seed: u64) -> 
     let drawing = sort.job(&mut chance);
     let job = scene.begin(&drawing)?;
     let planned = scene.planned();
-    scene.it.run_for(chance.time(planned));
+    scene.station.run_for(chance.time(planned));
     disk.fill(true);
     wait(figures, &mut scene);
     disk.fill(false);
     // The journal is asked again every second.
-    scene.it.run_for(Duration::from_millis(1_100));
+    scene.station.run_for(Duration::from_millis(1_100));
     match scene.settle(job)? {
         JobState::Done => figures.done += 1,
         JobState::Paused { reason } if reason.contains("journal") => figures.paused += 1,
@@ -76,22 +76,22 @@ fn one(figures: &mut Disks, personality: Personality, sort: Sort, seed: u64) -> 
 
 /// Runs until a little after the end of the job, and returns whether the laser is off.
 fn wait(figures: &mut Disks, scene: &mut Scene) {
-    let latest = scene.it.now() + Duration::from_secs(60);
+    let latest = scene.station.now() + Duration::from_secs(60);
     let works = |station: &VirtualStation| {
         station
             .supervisor()
             .job()
             .is_some_and(|job| job.reason.is_none())
     };
-    scene.it.run_until(latest, |station| !works(station));
-    let (paused, burnt) = (scene.it.now(), scene.burns());
+    scene.station.run_until(latest, |station| !works(station));
+    let (paused, burnt) = (scene.station.now(), scene.burns());
     scene
-        .it
+        .station
         .run_until(paused + Duration::from_secs(20), |station| !burns(station));
     if burnt {
-        figures.dark_s.add_time(paused, scene.it.now());
+        figures.dark_s.add_time(paused, scene.station.now());
     }
-    scene.it.run_for(Duration::from_secs(5));
+    scene.station.run_for(Duration::from_secs(5));
 }
 
 /// A disk that can be full.

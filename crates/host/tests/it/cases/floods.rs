@@ -61,42 +61,46 @@ fn of(who: &'static str, floods: u64) -> Floods {
 fn one(figures: &mut Floods, personality: Personality, seed: u64) -> Result<(), Wrong> {
     let mut chance = Chance::new(seed);
     let mut scene = Scene::new(personality)?;
-    let stranger = scene.it.client("Ben");
+    let stranger = scene.station.client("Ben");
     let job = match figures.who {
         STRANGER | STRANGER_RAW => Some(scene.begin(&Sort::Pen.job(&mut chance))?),
         RAW => {
-            scene.it.ask(scene.anna, Request::ReleaseLease)?;
+            scene.station.ask(scene.anna, Request::ReleaseLease)?;
             None
         }
         _ => {
             let command = target([200.0, -90.0, 20.0], MovingMode::MovJ);
-            scene.it.ask(scene.anna, Request::Command { command })?;
+            scene
+                .station
+                .ask(scene.anna, Request::Command { command })?;
             None
         }
     };
-    let before = scene.it.packets().len();
+    let before = scene.station.packets().len();
     for _ in 0..ROUNDS {
         for _ in 0..chance.below(40) {
             flood(figures, &mut scene, stranger, &mut chance);
         }
-        scene.it.run_for(chance.time(Duration::from_millis(100)));
+        scene
+            .station
+            .run_for(chance.time(Duration::from_millis(100)));
         let stops = figures.who == STOPS;
-        overruns(figures, &mut scene.it, stops);
+        overruns(figures, &mut scene.station, stops);
         figures.most_waiting = figures
             .most_waiting
-            .max(scene.it.supervisor().session().waiting());
+            .max(scene.station.supervisor().session().waiting());
     }
-    figures.passed_on += scene.it.packets().len() - before;
+    figures.passed_on += scene.station.packets().len() - before;
     if let Some(job) = job {
         scene.finish(job)?;
     }
-    overruns(figures, &mut scene.it, false);
-    let watcher = scene.it.client_as("the class", Role::Watch);
-    scene.it.ask(watcher, Request::Stop { reason: None })?;
-    scene.it.run_for(Duration::from_secs(20));
-    overruns(figures, &mut scene.it, true);
+    overruns(figures, &mut scene.station, false);
+    let watcher = scene.station.client_as("the class", Role::Watch);
+    scene.station.ask(watcher, Request::Stop { reason: None })?;
+    scene.station.run_for(Duration::from_secs(20));
+    overruns(figures, &mut scene.station, true);
     let holds = scene
-        .it
+        .station
         .supervisor()
         .state()
         .stop
@@ -121,9 +125,9 @@ fn flood(figures: &mut Floods, scene: &mut Scene, stranger: ClientId, chance: &m
     };
     // The individual answers do not matter here: most are refusals.
     match figures.who {
-        RAW | STRANGER_RAW => drop(scene.it.send_raw(who, &raw(scene, command, chance))),
-        STOPS => drop(scene.it.ask(who, Request::Stop { reason: None })),
-        _ => drop(scene.it.ask(who, Request::Command { command })),
+        RAW | STRANGER_RAW => drop(scene.station.send_raw(who, &raw(scene, command, chance))),
+        STOPS => drop(scene.station.ask(who, Request::Stop { reason: None })),
+        _ => drop(scene.station.ask(who, Request::Command { command })),
     }
 }
 
@@ -147,8 +151,8 @@ fn raw(scene: &Scene, command: Command, chance: &mut Chance) -> Packet {
     command.emit(&scene.personality().dialect())
 }
 
-fn overruns(figures: &mut Floods, it: &mut VirtualStation, was_stopped: bool) {
-    while let Some(refused) = it.arm_mut().poll_refused() {
+fn overruns(figures: &mut Floods, station: &mut VirtualStation, was_stopped: bool) {
+    while let Some(refused) = station.arm_mut().poll_refused() {
         let lost = match refused {
             // The first packet of a stop does not wait for the line; it is repeated.
             Refused::TooLong => !was_stopped,
@@ -159,7 +163,7 @@ fn overruns(figures: &mut Floods, it: &mut VirtualStation, was_stopped: bool) {
             figures.wrong.push(format!("{refused}"));
         }
     }
-    figures.overrun += usize::from(it.arm().lost_bytes() > 0);
+    figures.overrun += usize::from(station.arm().lost_bytes() > 0);
 }
 
 const ROUNDS: usize = 60;

@@ -84,9 +84,9 @@ fn one(figures: &mut Fuzz, seed: u64) {
     let mut case = Case::new(seed);
     figures.cases += 1;
     let ended = catch_unwind(AssertUnwindSafe(|| case.run(figures)));
-    figures.packets += case.it.packets().len();
+    figures.packets += case.station.packets().len();
     figures.ticks += case.judge.ticks;
-    figures.virtual_s += case.it.now().as_secs_f64();
+    figures.virtual_s += case.station.now().as_secs_f64();
     let (what, why) = match (ended, &case.judge.lost) {
         (Err(_), _) => (PANIC, "the station panicked".to_owned()),
         (Ok(()), Some((what, why))) => (*what, why.clone()),
@@ -97,13 +97,13 @@ fn one(figures: &mut Fuzz, seed: u64) {
         "seed {seed} ({}, {:?}), {:.3} s: {what}: {why}\n{}",
         case.personality,
         case.faults,
-        case.it.now().as_secs_f64(),
+        case.station.now().as_secs_f64(),
         case.lately(),
     ));
 }
 
 struct Case {
-    it: VirtualStation,
+    station: VirtualStation,
     judge: Judge,
     chance: Chance,
     asking: Asking,
@@ -135,15 +135,15 @@ impl Case {
             arm.with_faults(power_up, &parsed, seed)
         };
         let policy = Policy::from_toml(chance.one(&POLICIES)).unwrap_or_default();
-        let mut it = VirtualStation::with_arm(arm, power_up, policy.clone());
-        it.run_for(Duration::from_millis(700));
+        let mut station = VirtualStation::with_arm(arm, power_up, policy.clone());
+        station.run_for(Duration::from_millis(700));
         let burns = chance.below(4) == 0;
         let resets = faults
             .iter()
             .any(|fault| fault.contains("reset") || fault.contains("power"));
         let jogs = !faults.iter().any(|fault| fault.contains("close"));
-        let people = ["Anna", "Ben", "a raw program"].map(|name| it.client(name));
-        let watcher = it.client_as("the class", Role::Watch);
+        let people = ["Anna", "Ben", "a raw program"].map(|name| station.client(name));
+        let watcher = station.client_as("the class", Role::Watch);
         Self {
             judge: Judge::new(policy, burns, resets),
             asking: Asking {
@@ -156,7 +156,7 @@ impl Case {
                 before: None,
                 row: None,
             },
-            it,
+            station,
             chance,
             personality,
             faults,
@@ -181,17 +181,17 @@ impl Case {
 
     /// Something is asked or sent, and a while passes.
     fn step(&mut self) {
-        match self.asking.next(&mut self.chance, &self.it) {
+        match self.asking.next(&mut self.chance, &self.station) {
             FuzzStep::Again(asked, times, gap) => {
                 for _ in 0..times {
-                    self.say((*asked).clone());
+                    self.perform((*asked).clone());
                     self.pass(gap);
                     if self.judge.lost.is_some() {
                         return;
                     }
                 }
             }
-            asked => self.say(asked),
+            asked => self.perform(asked),
         }
         let pass = match self.chance.below(20) {
             0..8 => Duration::ZERO,
@@ -202,22 +202,22 @@ impl Case {
         self.pass(pass);
     }
 
-    fn say(&mut self, asked: FuzzStep) {
-        let before = self.it.now();
+    fn perform(&mut self, asked: FuzzStep) {
+        let before = self.station.now();
         let text = format!("{asked:?}");
         let taken = match asked {
             FuzzStep::Request(who, request) => self.ask(who, request),
-            FuzzStep::Packet(who, packet) => self.it.send_raw(who, &packet),
+            FuzzStep::Packet(who, packet) => self.station.send_raw(who, &packet),
             FuzzStep::Submit(job) => {
-                let submitted = self.it.submit(&job);
+                let submitted = self.station.submit(&job);
                 submitted.map(|id| self.asking.jobs.push(id))
             }
-            FuzzStep::Start(who, id) => self.it.start(who, id).map(drop),
+            FuzzStep::Start(who, id) => self.station.start(who, id).map(drop),
             FuzzStep::Again(..) => Ok(()),
             FuzzStep::Unplug(time) => {
-                self.it.unplug();
+                self.station.unplug();
                 self.pass(time);
-                self.it.plug();
+                self.station.plug();
                 Ok(())
             }
         };
@@ -231,31 +231,31 @@ impl Case {
     }
 
     fn ask(&mut self, who: ClientId, request: Request) -> Result<(), Refusal> {
-        self.it.ask(who, request).map(drop)
+        self.station.ask(who, request).map(drop)
     }
 
     /// Lets time pass, and judges every moment of it.
     fn pass(&mut self, time: Duration) {
-        let latest = self.it.now() + time;
+        let latest = self.station.now() + time;
         let judge = &mut self.judge;
-        self.it.run_until(latest, |station| {
+        self.station.run_until(latest, |station| {
             judge.look(station);
             judge.lost.is_some()
         });
-        self.judge.hear(&mut self.it);
+        self.judge.read_reports(&mut self.station);
     }
 
     /// Returns the last requests and packets, one per line; repetitions are shown once.
     fn lately(&self) -> String {
         let dialect = self.personality.dialect();
-        let packets = self.it.packets().iter().map(|(at, bytes)| {
+        let packets = self.station.packets().iter().map(|(at, bytes)| {
             let packet = Packet::from_bytes(bytes);
             let command = packet.map(|packet| Command::parse(&packet, &dialect));
             (*at, format!("sent {command:?}"))
         });
         let mut lines: Vec<(Duration, String)> = self.log.iter().cloned().chain(packets).collect();
         lines.sort_by_key(|line| line.0);
-        lines.dedup_by(|next, it| next.1 == it.1);
+        lines.dedup_by(|next, line| next.1 == line.1);
         let last = lines.iter().rev().take(LATELY).rev();
         let last = last.map(|(at, text)| format!("  {:.3} s {text}\n", at.as_secs_f64()));
         last.collect()
@@ -264,7 +264,7 @@ impl Case {
     /// All clients release everything: the arm comes to rest and reports where it is.
     fn part(&mut self) {
         for who in self.asking.people {
-            self.it.leave(who);
+            self.station.leave(who);
         }
         self.pass(Duration::from_secs(20));
     }

@@ -55,8 +55,8 @@ impl fmt::Display for Sort {
 /// or repeated. The station's own lifts are vertical and its own moves do not pause.
 pub(crate) fn counts(command: &Command) -> bool {
     match command {
-        Command::WriteVector(it) => it.x_mm != 0.0 || it.y_mm != 0.0,
-        Command::MoveTo(it) => it.pause_s > 0.0,
+        Command::WriteVector(vector) => vector.x_mm != 0.0 || vector.y_mm != 0.0,
+        Command::MoveTo(target) => target.pause_s > 0.0,
         _ => false,
     }
 }

@@ -62,11 +62,11 @@ fn one(figures: &mut Kills, personality: Personality, sort: Sort, seed: u64) -> 
     let job = scene.begin(&drawing)?;
     let planned = scene.planned();
     for _ in 0..=chance.below(2) {
-        scene.it.run_for(chance.time(planned));
-        if chance.below(4) == 0 && scene.it.ask(scene.anna, Request::PauseJob).is_ok() {
-            scene.it.run_for(chance.time(Duration::from_secs(4)));
+        scene.station.run_for(chance.time(planned));
+        if chance.below(4) == 0 && scene.station.ask(scene.anna, Request::PauseJob).is_ok() {
+            scene.station.run_for(chance.time(Duration::from_secs(4)));
         }
-        if scene.it.job(job)?.state.is_over() {
+        if scene.station.job(job)?.state.is_over() {
             break;
         }
         kill(figures, &mut scene, &mut chance)?;
@@ -86,10 +86,10 @@ fn one(figures: &mut Kills, personality: Personality, sort: Sort, seed: u64) -> 
 fn kill(figures: &mut Kills, scene: &mut Scene, chance: &mut Chance) -> Result<(), Wrong> {
     figures.times += 1;
     figures.burning += usize::from(scene.burns());
-    let before = scene.it.packets().len();
-    scene.it.crash(chance.time(Duration::from_secs(5)))?;
-    figures.at_work += usize::from(scene.it.supervisor().job().is_some());
-    let (began, burnt) = (scene.it.now(), scene.burns());
+    let before = scene.station.packets().len();
+    scene.station.crash(chance.time(Duration::from_secs(5)))?;
+    figures.at_work += usize::from(scene.station.supervisor().job().is_some());
+    let (began, burnt) = (scene.station.now(), scene.burns());
     let mut last = began;
     let rests = |station: &VirtualStation| {
         if burns(station) {
@@ -97,7 +97,10 @@ fn kill(figures: &mut Kills, scene: &mut Scene, chance: &mut Chance) -> Result<(
         }
         station.supervisor().is_at_rest() && station.now() > began + Duration::from_secs(1)
     };
-    if !scene.it.run_until(began + Duration::from_secs(60), rests) {
+    if !scene
+        .station
+        .run_until(began + Duration::from_secs(60), rests)
+    {
         return Err(Wrong("the arm did not come to rest".into()));
     }
     if burnt {

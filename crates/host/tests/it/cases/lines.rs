@@ -72,7 +72,7 @@ fn one(figures: &mut Lines, personality: Personality, seed: u64) -> Result<(), W
     let job = scene.begin(&drawing)?;
     figures.drawings += 1;
     let state = scene.settle(job)?;
-    let paper = Paper::of(scene.it.arm().samples(), &drawing);
+    let paper = Paper::of(scene.station.arm().samples(), &drawing);
     match state {
         JobState::Done if paper.is_right() => figures.done += 1,
         JobState::Done => {

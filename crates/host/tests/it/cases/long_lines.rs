@@ -65,7 +65,7 @@ pub(crate) fn run(times: u64) -> Vec<LongLines> {
     let materials = Materials::built_in();
     materials
         .iter()
-        .map(|(name, it)| of(name, it, times))
+        .map(|(name, material)| of(name, material, times))
         .collect()
 }
 
@@ -98,7 +98,7 @@ fn one(tool: DrawingTool, end: LineEnd, personality: Personality, seed: u64) -> 
     let mut chance = Chance::new(seed);
     let mut scene = Scene::new(personality)?;
     scene.begin(&line(tool, personality)?)?;
-    let latest = scene.it.now() + Duration::from_secs(60);
+    let latest = scene.station.now() + Duration::from_secs(60);
     let draws = |station: &VirtualStation| {
         let last = station.arm().samples().last().map(|sample| sample.position);
         last.is_some_and(|last| last.z.0 < f64::from(DOWN_MM) + 0.1 && last.y.0 > BEGIN_MM + 1.0)
@@ -110,11 +110,13 @@ fn one(tool: DrawingTool, end: LineEnd, personality: Personality, seed: u64) -> 
             draws(station)
         }
     };
-    if !scene.it.run_until(latest, begun) {
+    if !scene.station.run_until(latest, begun) {
         return Err(Wrong("the line does not begin".into()));
     }
-    scene.it.run_for(chance.time(Duration::from_millis(1500)));
-    let at = scene.it.now();
+    scene
+        .station
+        .run_for(chance.time(Duration::from_millis(1500)));
+    let at = scene.station.now();
     let request = match end {
         LineEnd::Stopped => Request::Stop { reason: None },
         LineEnd::Paused => Request::PauseJob,
@@ -129,20 +131,20 @@ fn one(tool: DrawingTool, end: LineEnd, personality: Personality, seed: u64) -> 
             return Ok(over.saturating_sub(at).as_secs_f64());
         }
     };
-    scene.it.ask(scene.anna, request)?;
-    let (mut over, mut last_mm) = (at, y_mm(&scene.it));
+    scene.station.ask(scene.anna, request)?;
+    let (mut over, mut last_mm) = (at, y_mm(&scene.station));
     let note = |station: &VirtualStation| {
-        let goes_on = if tool.burns() {
+        let continues = if tool.burns() {
             burns(station)
         } else {
             (y_mm(station) - last_mm).abs() > 1e-3
         };
-        if goes_on {
+        if continues {
             (over, last_mm) = (station.now(), y_mm(station));
         }
         false
     };
-    scene.it.run_until(at + Duration::from_secs(40), note);
+    scene.station.run_until(at + Duration::from_secs(40), note);
     Ok(over.saturating_sub(at).as_secs_f64())
 }
 
@@ -163,8 +165,8 @@ fn line(tool: DrawingTool, personality: Personality) -> Result<NewJob, Wrong> {
     })
 }
 
-fn y_mm(it: &VirtualStation) -> f64 {
-    let last = it.arm().samples().last();
+fn y_mm(station: &VirtualStation) -> f64 {
+    let last = station.arm().samples().last();
     last.map_or(0.0, |last| last.position.y.0)
 }
 

@@ -26,6 +26,6 @@ pub(crate) mod paper;
 pub(crate) mod scene;
 pub(crate) mod sessions;
 pub(crate) mod spread;
-pub(crate) mod stands;
+pub(crate) mod standing_laser;
 pub(crate) mod stops;
 pub(crate) mod watchdogs;

@@ -56,12 +56,12 @@ fn wanted(job: &NewJob) -> Vec<[Position; 2]> {
     for command in &job.commands {
         let before = at;
         match command {
-            Command::MoveTo(it) => {
-                at = Position::new(it.x_mm.into(), it.y_mm.into(), it.z_mm.into());
+            Command::MoveTo(target) => {
+                at = Position::new(target.x_mm.into(), target.y_mm.into(), target.z_mm.into());
                 continue;
             }
-            Command::WriteVector(it) => {
-                at = at + Position::new(it.x_mm.into(), it.y_mm.into(), it.z_mm.into());
+            Command::WriteVector(vector) => {
+                at = at + Position::new(vector.x_mm.into(), vector.y_mm.into(), vector.z_mm.into());
             }
             _ => continue,
         }

@@ -20,7 +20,7 @@ use super::paper::Paper;
 #[derive(Debug)]
 pub(crate) struct Scene {
     /// What happens.
-    pub it: VirtualStation,
+    pub station: VirtualStation,
     /// The person.
     pub anna: ClientId,
     personality: Personality,
@@ -90,12 +90,12 @@ impl Scene {
             arm = arm.with_faults(power_up, &parsed, seed);
         }
         arm.record(RECORDING_PERIOD);
-        let mut it = VirtualStation::with_journal(arm, power_up, Policy::default(), journal);
-        it.run_for(Duration::from_secs(1));
-        let anna = it.client("Anna");
-        it.ask(anna, Request::TakeLease)?;
+        let mut station = VirtualStation::with_journal(arm, power_up, Policy::default(), journal);
+        station.run_for(Duration::from_secs(1));
+        let anna = station.client("Anna");
+        station.ask(anna, Request::TakeLease)?;
         Ok(Self {
-            it,
+            station,
             anna,
             personality,
             since: 0,
@@ -104,36 +104,41 @@ impl Scene {
 
     /// Keeps a job and starts it.
     pub(crate) fn begin(&mut self, job: &NewJob) -> Result<u64, Wrong> {
-        self.since = self.it.packets().len();
-        let number = self.it.submit(job)?;
+        self.since = self.station.packets().len();
+        let number = self.station.submit(job)?;
         self.start(number)?;
         Ok(number)
     }
 
     /// Starts or resumes a job as a person does after looking: the laser is armed.
     pub(crate) fn start(&mut self, job: u64) -> Result<(), Wrong> {
-        self.it.ask(self.anna, Request::ConfirmPose)?;
-        self.it.ask(self.anna, Request::ArmLaser { for_s: 600.0 })?;
-        self.it.start(self.anna, job)?;
+        self.station.ask(self.anna, Request::ConfirmPose)?;
+        self.station
+            .ask(self.anna, Request::ArmLaser { for_s: 600.0 })?;
+        self.station.start(self.anna, job)?;
         Ok(())
     }
 
     /// A person comes to a station that was started again.
     pub(crate) fn come_back(&mut self) -> Result<(), Wrong> {
-        self.anna = self.it.client("Anna");
-        self.it.ask(self.anna, Request::TakeLease)?;
+        self.anna = self.station.client("Anna");
+        self.station.ask(self.anna, Request::TakeLease)?;
         Ok(())
     }
 
     /// Returns the planned duration of a job.
     pub(crate) fn planned(&self) -> Duration {
-        let planned_s = self.it.supervisor().job().and_then(|job| job.planned_s);
+        let planned_s = self
+            .station
+            .supervisor()
+            .job()
+            .and_then(|job| job.planned_s);
         Duration::try_from_secs_f64(planned_s.unwrap_or(0.0)).unwrap_or_default()
     }
 
     /// Waits until a job can be started or is over, and the arm rests.
     pub(crate) fn settle(&mut self, job: u64) -> Result<JobState, Wrong> {
-        let latest = self.it.now() + PATIENCE;
+        let latest = self.station.now() + PATIENCE;
         let works = |station: &VirtualStation| {
             station
                 .supervisor()
@@ -148,13 +153,13 @@ impl Scene {
             };
             station.supervisor().is_at_rest() && kept && !works(station)
         };
-        if self.it.run_until(latest, settled) {
-            return state(&self.it, job).ok_or_else(|| Wrong("the job is gone".into()));
+        if self.station.run_until(latest, settled) {
+            return state(&self.station, job).ok_or_else(|| Wrong("the job is gone".into()));
         }
         Err(Wrong(format!(
             "job and arm did not come to rest within {} s: {:?}",
             PATIENCE.as_secs(),
-            self.it.supervisor().job()
+            self.station.supervisor().job()
         )))
     }
 
@@ -198,13 +203,18 @@ impl Scene {
     /// The commands that count, in the order in which they were sent. One that a stop cut short on the line never reached
     /// the arm: the stop does not wait for the line. Where it was sent again it counts once.
     fn given_once(&self) -> Vec<Command> {
-        let times = self.it.packets()[self.since..].iter().map(|(at, _)| *at);
+        let times = self.station.packets()[self.since..]
+            .iter()
+            .map(|(at, _)| *at);
         let sent: Vec<_> = times.zip(self.sent(self.since)).collect();
         let cut_short = sent
             .windows(2)
             .map(|pair| pair[1].0 < pair[0].0 + LINE_TIME);
         let cut_short = cut_short.chain([false]);
-        let counted = sent.iter().zip(cut_short).filter(|((_, it), _)| counts(it));
+        let counted = sent
+            .iter()
+            .zip(cut_short)
+            .filter(|((_, command), _)| counts(command));
         let counted: Vec<_> = counted.collect();
         let resent = |at: usize| {
             counted
@@ -219,7 +229,10 @@ impl Scene {
 
     /// Checks that all of a job was sent once and is on the paper.
     pub(crate) fn check(&self, job: &NewJob) -> Result<(), Wrong> {
-        let (given, paper) = (self.given(job), Paper::of(self.it.arm().samples(), job));
+        let (given, paper) = (
+            self.given(job),
+            Paper::of(self.station.arm().samples(), job),
+        );
         if given == GivenCounts::default() && paper.is_right() {
             return Ok(());
         }
@@ -228,7 +241,7 @@ impl Scene {
 
     /// The commands that were put on the wire since then.
     pub(crate) fn sent(&self, since: usize) -> Vec<Command> {
-        let packets = self.it.packets()[since..].iter();
+        let packets = self.station.packets()[since..].iter();
         let dialect: Dialect = self.personality.dialect();
         packets
             .filter_map(|(_, bytes)| Packet::from_bytes(bytes))
@@ -238,12 +251,12 @@ impl Scene {
 
     /// Returns whether the laser burns.
     pub(crate) fn burns(&self) -> bool {
-        burns(&self.it)
+        burns(&self.station)
     }
 
     /// Returns when the arm last came to rest, according to the machine, in seconds.
     pub(crate) fn rested_s(&self) -> f64 {
-        let samples = self.it.arm().samples();
+        let samples = self.station.arm().samples();
         let Some(last) = samples.last() else {
             return 0.0;
         };
@@ -264,12 +277,12 @@ impl Scene {
 }
 
 /// Returns whether the laser burns.
-pub(crate) fn burns(it: &VirtualStation) -> bool {
-    it.arm().controller().outputs().laser
+pub(crate) fn burns(station: &VirtualStation) -> bool {
+    station.arm().controller().outputs().laser
 }
 
-fn state(it: &VirtualStation, job: u64) -> Option<JobState> {
-    it.job(job).ok().map(|job| job.state)
+fn state(station: &VirtualStation, job: u64) -> Option<JobState> {
+    station.job(job).ok().map(|job| job.state)
 }
 
 /// A figure for both personalities and all sorts of jobs.

@@ -14,7 +14,7 @@ use super::paper::Paper;
 use super::scene::{GivenCounts, LASER_OFF, Scene, Wrong, each_seed};
 use super::spread::Spread;
 use super::stops::{jog, targets, watch, work};
-use super::watchdogs::told;
+use super::watchdogs::hazards;
 
 /// An incident.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -117,14 +117,14 @@ fn begin(scene: &mut Scene, motion: u64, chance: &mut Chance) -> Result<Option<B
     match motion {
         0..=2 => {
             let sort = Sort::ALL[usize::try_from(motion).unwrap_or_default()];
-            let samples = scene.it.arm().samples();
+            let samples = scene.station.arm().samples();
             let last = samples.last().map_or(0.0, |sample| sample.position.z.0);
             let began_down = (last - f64::from(DOWN_MM)).abs() < 0.2;
             let samples = samples.len();
             let mut wanted = sort.job(chance);
-            begin_elsewhere(&scene.it, &mut wanted);
+            begin_elsewhere(&scene.station, &mut wanted);
             work(scene, &wanted, chance)?;
-            let job = scene.it.supervisor().job();
+            let job = scene.station.supervisor().job();
             Ok(job.map(|job| Begun {
                 id: job.job,
                 wanted,
@@ -138,8 +138,8 @@ fn begin(scene: &mut Scene, motion: u64, chance: &mut Chance) -> Result<Option<B
 }
 
 /// A program may not begin with a straight line to the place of the arm; a person writes another mode then.
-fn begin_elsewhere(it: &VirtualStation, wanted: &mut NewJob) {
-    let here = it.supervisor().state().arm.map(|arm| arm.status);
+fn begin_elsewhere(station: &VirtualStation, wanted: &mut NewJob) {
+    let here = station.supervisor().state().arm.map(|arm| arm.status);
     if let (Some(Command::MoveTo(first)), Some(here)) = (wanted.commands.first_mut(), here)
         && [
             first.x_mm - here.x_mm,
@@ -164,45 +164,45 @@ fn befall(
         Incident::Stop => stop(scene, true),
         // No button is released while its station is frozen for longer: that is the watchdog's task.
         Incident::Freeze if motion == JOG => {
-            scene.it.stall(chance.time(Duration::from_millis(250)));
+            scene.station.stall(chance.time(Duration::from_millis(250)));
             Ok(())
         }
         Incident::Freeze => {
-            scene.it.stall(chance.time(Duration::from_secs(2)));
+            scene.station.stall(chance.time(Duration::from_secs(2)));
             Ok(())
         }
         Incident::Kill => {
-            let packets = told(scene).stop_packets();
-            scene.it.guard(&packets);
-            scene.it.crash(chance.time(Duration::from_secs(3)))?;
-            scene.anna = scene.it.client("Anna");
+            let packets = hazards(scene).stop_packets();
+            scene.station.guard(&packets);
+            scene.station.crash(chance.time(Duration::from_secs(3)))?;
+            scene.anna = scene.station.client("Anna");
             Ok(())
         }
         // Without its cable a button is not released: the arm moves to the end of its axis.
         Incident::Cable if motion == JOG => stop(scene, true),
         Incident::Cable => {
-            scene.it.unplug();
-            scene.it.run_for(chance.time(Duration::from_secs(2)));
+            scene.station.unplug();
+            scene.station.run_for(chance.time(Duration::from_secs(2)));
             if chance.below(2) == 0 {
                 stop(scene, false)?;
                 figures.undelivered += 1;
-                scene.it.run_for(chance.time(Duration::from_secs(2)));
-                let before = scene.it.packets().len();
-                scene.it.plug();
+                scene.station.run_for(chance.time(Duration::from_secs(2)));
+                let before = scene.station.packets().len();
+                scene.station.plug();
                 return is_off_first(scene, before);
             }
-            scene.it.plug();
+            scene.station.plug();
             Ok(())
         }
         Incident::Removal => {
             let held = is_held(scene);
-            let before = scene.it.packets().len();
-            scene.it.leave(scene.anna);
-            scene.it.run_for(Duration::from_millis(210));
+            let before = scene.station.packets().len();
+            scene.station.leave(scene.anna);
+            scene.station.run_for(Duration::from_millis(210));
             if held && !scene.sent(before).iter().any(lets_go) {
                 return Err(Wrong("a button is held whose person is gone".into()));
             }
-            scene.anna = scene.it.client("Anna");
+            scene.anna = scene.station.client("Anna");
             Ok(())
         }
     }
@@ -215,9 +215,9 @@ fn is_held(scene: &Scene) -> bool {
         .into_iter()
         .rev()
         .find_map(|command| match command {
-            Command::LinearJog(it) => Some(it.axis != LinearJogAxis::Released),
-            Command::JointJog(it) if (it.axis as u8) <= 8 => {
-                Some(it.axis != JointJogAxis::Released)
+            Command::LinearJog(jog) => Some(jog.axis != LinearJogAxis::Released),
+            Command::JointJog(jog) if (jog.axis as u8) <= 8 => {
+                Some(jog.axis != JointJogAxis::Released)
             }
             _ => None,
         });
@@ -227,26 +227,26 @@ fn is_held(scene: &Scene) -> bool {
 /// Returns whether a packet releases a button.
 fn lets_go(command: &Command) -> bool {
     match command {
-        Command::LinearJog(it) => it.axis == LinearJogAxis::Released,
-        Command::JointJog(it) => it.axis == JointJogAxis::Released,
+        Command::LinearJog(jog) => jog.axis == LinearJogAxis::Released,
+        Command::JointJog(jog) => jog.axis == JointJogAxis::Released,
         _ => false,
     }
 }
 
 /// A client that may only watch stops the arm; the answer must be true.
 fn stop(scene: &mut Scene, plugged: bool) -> Result<(), Wrong> {
-    let before = scene.it.packets().len();
-    let watcher = scene.it.client_as("the fleet", Role::Watch);
+    let before = scene.station.packets().len();
+    let watcher = scene.station.client_as("the fleet", Role::Watch);
     let reason = Some("a person shouted".to_owned());
-    let reply = scene.it.ask(watcher, Request::Stop { reason })?;
+    let reply = scene.station.ask(watcher, Request::Stop { reason })?;
     let Reply::Stopping { delivered, .. } = reply else {
         return Err(Wrong(format!("the stop is answered with {reply:?}")));
     };
     if delivered != plugged {
         return Err(Wrong(format!("delivered: {delivered}, cable: {plugged}")));
     }
-    scene.it.run_for(Duration::from_millis(60));
-    match (plugged, scene.it.packets().len() > before) {
+    scene.station.run_for(Duration::from_millis(60));
+    match (plugged, scene.station.packets().len() > before) {
         (true, _) => is_off_first(scene, before),
         (false, false) => Ok(()),
         (false, true) => Err(Wrong("a packet passed without a cable".into())),
@@ -254,9 +254,9 @@ fn stop(scene: &mut Scene, plugged: bool) -> Result<(), Wrong> {
 }
 
 fn is_off_first(scene: &mut Scene, before: usize) -> Result<(), Wrong> {
-    let latest = scene.it.now() + Duration::from_millis(500);
+    let latest = scene.station.now() + Duration::from_millis(500);
     scene
-        .it
+        .station
         .run_until(latest, |station| station.packets().len() > before);
     match scene.sent(before).first() {
         Some(first) if *first == LASER_OFF => Ok(()),
@@ -271,39 +271,39 @@ fn recover(
     begun: Option<Begun>,
     chance: &mut Chance,
 ) -> Result<(), Wrong> {
-    scene.it.run_for(chance.time(Duration::from_secs(3)));
-    if begun.is_some() && works(&scene.it) {
+    scene.station.run_for(chance.time(Duration::from_secs(3)));
+    if begun.is_some() && works(&scene.station) {
         let anna = scene.anna;
-        scene.it.ask(anna, Request::PauseJob)?;
+        scene.station.ask(anna, Request::PauseJob)?;
     }
-    let latest = scene.it.now() + Duration::from_secs(60);
+    let latest = scene.station.now() + Duration::from_secs(60);
     let rests = |station: &VirtualStation| station.supervisor().is_at_rest() && !works(station);
-    if !scene.it.run_until(latest, rests) {
+    if !scene.station.run_until(latest, rests) {
         return Err(Wrong("it does not come to rest".into()));
     }
     // What the watchdog or a new station repeats.
-    scene.it.run_for(Duration::from_millis(500));
+    scene.station.run_for(Duration::from_millis(500));
     if scene.burns() {
         return Err(Wrong("the arm rests, and its laser is on".into()));
     }
     let anna = scene.anna;
     if begun.is_none() {
         // Every held button is released.
-        scene.it.ask(anna, Request::TakeLease)?;
-        scene.it.ask(anna, Request::Release)?;
+        scene.station.ask(anna, Request::TakeLease)?;
+        scene.station.ask(anna, Request::Release)?;
     }
-    if scene.it.supervisor().state().stop.is_some() {
-        scene.it.ask(anna, Request::ResetStop)?;
+    if scene.station.supervisor().state().stop.is_some() {
+        scene.station.ask(anna, Request::ResetStop)?;
     }
-    scene.it.ask(anna, Request::TakeLease)?;
-    scene.it.ask(anna, Request::ConfirmPose)?;
+    scene.station.ask(anna, Request::TakeLease)?;
+    scene.station.ask(anna, Request::ConfirmPose)?;
     let Some(job) = begun else {
         return Ok(());
     };
     let id = job.id;
-    let is_over = matches!(scene.it.job(id)?.state, JobState::Done);
+    let is_over = matches!(scene.station.job(id)?.state, JobState::Done);
     if !is_over && chance.below(2) == 0 {
-        scene.it.ask(anna, Request::CancelJob { job: id })?;
+        scene.station.ask(anna, Request::CancelJob { job: id })?;
         scene.settle(id)?;
         return Ok(());
     }
@@ -312,7 +312,7 @@ fn recover(
     }
     figures.jobs += 1;
     let given = scene.given(&job.wanted);
-    let samples = &scene.it.arm().samples()[job.samples..];
+    let samples = &scene.station.arm().samples()[job.samples..];
     let paper = Paper::of(samples, &job.wanted);
     // A laser is dark on its ways between the lines, but no higher.
     let is_pen = job.wanted.lift_mm > 0.0 && !job.began_down;
@@ -322,14 +322,14 @@ fn recover(
     Err(Wrong(format!("{given:?}, {paper:?}")))
 }
 
-fn works(it: &VirtualStation) -> bool {
-    let job = it.supervisor().job();
+fn works(station: &VirtualStation) -> bool {
+    let job = station.supervisor().job();
     job.is_some_and(|job| job.phase == JobPhase::Running)
 }
 
 /// Stops the arm for the last time, and watches it.
 fn stop_for_good(figures: &mut Sessions, scene: &mut Scene) -> Result<(), Wrong> {
-    let (at, burnt) = (scene.it.now(), scene.burns());
+    let (at, burnt) = (scene.station.now(), scene.burns());
     stop(scene, true)?;
     let stopped = watch(scene, at)?;
     figures.rest_s.add(stopped.took_s);

@@ -110,11 +110,13 @@ fn one(figures: &mut Stops, personality: Personality, seed: u64) -> Result<(), W
         StoppedMotion::Killed => {
             let wanted = chance.one(&Sort::ALL).job(&mut chance);
             work(&mut scene, &wanted, &mut chance)?;
-            scene.it.crash(chance.time(Duration::from_millis(300)))?;
             scene
-                .it
+                .station
+                .crash(chance.time(Duration::from_millis(300)))?;
+            scene
+                .station
                 .run_for(Duration::from_millis(100) + chance.time(Duration::from_secs(1)));
-            scene.anna = scene.it.client("Anna");
+            scene.anna = scene.station.client("Anna");
         }
     }
     stop(figures, &mut scene)
@@ -122,8 +124,10 @@ fn one(figures: &mut Stops, personality: Personality, seed: u64) -> Result<(), W
 
 /// Stops, and watches the arm.
 fn stop(figures: &mut Stops, scene: &mut Scene) -> Result<(), Wrong> {
-    let (at, burnt) = (scene.it.now(), scene.burns());
-    scene.it.ask(scene.anna, Request::Stop { reason: None })?;
+    let (at, burnt) = (scene.station.now(), scene.burns());
+    scene
+        .station
+        .ask(scene.anna, Request::Stop { reason: None })?;
     let stopped = watch(scene, at)?;
     figures.times += 1;
     figures.promised_s.add(stopped.promised.as_secs_f64());
@@ -149,7 +153,7 @@ pub(super) struct Stopped {
 
 /// Watches an arm that was stopped at this time, until long after it has to rest.
 pub(super) fn watch(scene: &mut Scene, at: Duration) -> Result<Stopped, Wrong> {
-    let stop = scene.it.supervisor().state().stop;
+    let stop = scene.station.supervisor().state().stop;
     let stop = stop.ok_or_else(|| Wrong("no stop holds the arm".into()))?;
     let promised = Duration::try_from_secs_f64(stop.rests_by_s - stop.at_s).unwrap_or_default();
     let mut lit = at;
@@ -159,7 +163,7 @@ pub(super) fn watch(scene: &mut Scene, at: Duration) -> Result<Stopped, Wrong> {
         }
         false
     };
-    scene.it.run_until(
+    scene.station.run_until(
         at + promised.max(Duration::from_secs(4)) + Duration::from_secs(8),
         note,
     );
@@ -194,20 +198,20 @@ impl Stopped {
 pub(super) fn work(scene: &mut Scene, wanted: &NewJob, chance: &mut Chance) -> Result<(), Wrong> {
     scene.begin(wanted)?;
     let planned = scene.planned();
-    scene.it.run_for(chance.time(planned));
+    scene.station.run_for(chance.time(planned));
     Ok(())
 }
 
 fn pause(scene: &mut Scene, chance: &mut Chance) -> Result<(), Wrong> {
     let job = scene.begin(&chance.one(&Sort::ALL).job(chance))?;
     let planned = scene.planned();
-    scene.it.run_for(chance.time(planned / 2));
-    scene.it.ask(scene.anna, Request::PauseJob)?;
+    scene.station.run_for(chance.time(planned / 2));
+    scene.station.ask(scene.anna, Request::PauseJob)?;
     if chance.below(2) == 0 {
         scene.settle(job)?;
         scene.start(job)?;
     }
-    scene.it.run_for(chance.time(Duration::from_secs(2)));
+    scene.station.run_for(chance.time(Duration::from_secs(2)));
     Ok(())
 }
 
@@ -224,8 +228,10 @@ pub(super) fn targets(scene: &mut Scene, chance: &mut Chance) -> Result<(), Wron
             pause_s: chance.one(&[0.0, 0.3, 1.0]),
         }
         .into();
-        scene.it.ask(scene.anna, Request::Command { command })?;
-        scene.it.run_for(chance.time(Duration::from_secs(1)));
+        scene
+            .station
+            .ask(scene.anna, Request::Command { command })?;
+        scene.station.run_for(chance.time(Duration::from_secs(1)));
     }
     Ok(())
 }
@@ -249,12 +255,14 @@ pub(super) fn jog(scene: &mut Scene, chance: &mut Chance) -> Result<(), Wrong> {
         })
     };
     for _ in 0..chance.below(30) {
-        scene.it.ask(scene.anna, Request::Jog { jog })?;
-        scene.it.run_for(Duration::from_millis(60));
+        scene.station.ask(scene.anna, Request::Jog { jog })?;
+        scene.station.run_for(Duration::from_millis(60));
     }
     if chance.below(4) == 0 {
-        scene.it.ask(scene.anna, Request::Release)?;
+        scene.station.ask(scene.anna, Request::Release)?;
     }
-    scene.it.run_for(chance.time(Duration::from_millis(140)));
+    scene
+        .station
+        .run_for(chance.time(Duration::from_millis(140)));
     Ok(())
 }

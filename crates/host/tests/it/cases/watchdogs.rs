@@ -144,7 +144,7 @@ fn one(figures: &mut Guarded, personality: Personality, seed: u64) -> Result<(),
     let mut chance = Chance::new(seed);
     let mut scene = Scene::new(personality)?;
     begin(&mut scene, figures.doing, &mut chance)?;
-    let at = scene.it.now();
+    let at = scene.station.now();
     let burnt = scene.burns();
     let (after, life, from) = left_alone(scene, figures.fate, &mut chance);
     let to = after.arm.mechanics().joints_at(after.now);
@@ -177,10 +177,10 @@ pub(super) fn left_alone(
     fate: Fate,
     chance: &mut Chance,
 ) -> (After, Duration, Joints) {
-    let at = scene.it.now();
-    let told = told(&scene);
+    let at = scene.station.now();
+    let hazards = hazards(&scene);
     let life = at.saturating_sub(chance.time(HEARTBEAT));
-    let arm = scene.it.into_arm();
+    let arm = scene.station.into_arm();
     let from = arm.mechanics().joints_at(at);
     let mut after = After {
         arm,
@@ -194,8 +194,8 @@ pub(super) fn left_alone(
     };
     after
         .watchdog
-        .handle_heartbeat(life, Heartbeat::Alive(told));
-    let mut own = own_packets(fate, at, told);
+        .handle_heartbeat(life, Heartbeat::Alive(hazards));
+    let mut own = own_packets(fate, at, hazards);
     if fate != Fate::Frozen {
         after.watchdog.handle_end(at);
     }
@@ -208,17 +208,19 @@ fn begin(scene: &mut Scene, doing: GuardedMotion, chance: &mut Chance) -> Result
     match doing {
         GuardedMotion::Burning => {
             scene.begin(&Sort::Burn.job(chance))?;
-            let latest = scene.it.now() + Duration::from_secs(30);
-            if !scene.it.run_until(latest, burns) {
+            let latest = scene.station.now() + Duration::from_secs(30);
+            if !scene.station.run_until(latest, burns) {
                 return Err(Wrong("it does not begin to burn".into()));
             }
-            scene.it.run_for(chance.time(Duration::from_secs(2)));
+            scene.station.run_for(chance.time(Duration::from_secs(2)));
         }
         GuardedMotion::Moving => {
             let y_mm = chance.between(40.0, 90.0);
             let command = target([215.0, y_mm, 20.0]).into();
-            scene.it.ask(scene.anna, Request::Command { command })?;
-            scene.it.run_for(chance.time(Duration::from_secs(2)));
+            scene
+                .station
+                .ask(scene.anna, Request::Command { command })?;
+            scene.station.run_for(chance.time(Duration::from_secs(2)));
         }
         GuardedMotion::Joint(axis) => {
             let speed_percent = chance.between(20.0, 100.0);
@@ -237,39 +239,45 @@ fn begin(scene: &mut Scene, doing: GuardedMotion, chance: &mut Chance) -> Result
 /// Holds a button where there is room for that.
 fn hold(scene: &mut Scene, jog: Jog, chance: &mut Chance) -> Result<(), Wrong> {
     let command = target([225.0, 0.0, 30.0]).into();
-    scene.it.ask(scene.anna, Request::Command { command })?;
-    let latest = scene.it.now() + Duration::from_secs(20);
-    scene.it.run_for(Duration::from_millis(500));
+    scene
+        .station
+        .ask(scene.anna, Request::Command { command })?;
+    let latest = scene.station.now() + Duration::from_secs(20);
+    scene.station.run_for(Duration::from_millis(500));
     if !scene
-        .it
+        .station
         .run_until(latest, |station| station.supervisor().is_at_rest())
     {
         return Err(Wrong("it does not come to rest".into()));
     }
     for _ in 0..6 + chance.below(8) {
-        scene.it.ask(scene.anna, Request::Jog { jog })?;
-        scene.it.run_for(Duration::from_millis(50));
+        scene.station.ask(scene.anna, Request::Jog { jog })?;
+        scene.station.run_for(Duration::from_millis(50));
     }
-    scene.it.run_for(chance.time(Duration::from_millis(90)));
+    scene
+        .station
+        .run_for(chance.time(Duration::from_millis(90)));
     Ok(())
 }
 
 /// The watchdog's knowledge: every packet before it is sent.
-pub(super) fn told(scene: &Scene) -> Hazards {
+pub(super) fn hazards(scene: &Scene) -> Hazards {
     let dialect = scene.personality().dialect();
-    let packets = scene.it.packets().iter();
+    let packets = scene.station.packets().iter();
     packets
         .filter_map(|(_, bytes)| Packet::from_bytes(bytes))
-        .fold(Hazards::default(), |told, it| told.after(&it, &dialect))
+        .fold(Hazards::default(), |hazards, packet| {
+            hazards.after(&packet, &dialect)
+        })
 }
 
 /// The packets of the station in its last moment, with their times.
-fn own_packets(fate: Fate, at: Duration, told: Hazards) -> Vec<(Duration, Packet)> {
+fn own_packets(fate: Fate, at: Duration, hazards: Hazards) -> Vec<(Duration, Packet)> {
     if fate != Fate::Panicked {
         return Vec::new();
     }
     let gaps = (0..).map(|n| at + Duration::from_millis(60) * n);
-    gaps.zip(told.stop_packets()).collect()
+    gaps.zip(hazards.stop_packets()).collect()
 }
 
 /// The arm and its watchdog, after the station.

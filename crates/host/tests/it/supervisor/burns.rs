@@ -40,20 +40,22 @@ fn laser_job(personality: Personality) -> NewJob {
 }
 
 pub(crate) fn armed(personality: Personality) -> (VirtualStation, ClientId, u64) {
-    let mut it = virtual_station(personality);
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
-    let job = it.submit(&laser_job(personality)).unwrap();
-    let refused = it.start(anna, job).unwrap_err();
+    let mut station = virtual_station(personality);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
+    let job = station.submit(&laser_job(personality)).unwrap();
+    let refused = station.start(anna, job).unwrap_err();
     assert_eq!(refused.kind(), "laser-disarmed");
-    it.ask(anna, Request::ArmLaser { for_s: 600.0 }).unwrap();
-    it.start(anna, job).unwrap();
-    (it, anna, job)
+    station
+        .ask(anna, Request::ArmLaser { for_s: 600.0 })
+        .unwrap();
+    station.start(anna, job).unwrap();
+    (station, anna, job)
 }
 
 /// What was burned.
-fn burned(it: &VirtualStation) -> Vec<Stroke> {
-    let samples = it.arm().samples();
+fn burned(station: &VirtualStation) -> Vec<Stroke> {
+    let samples = station.arm().samples();
     let mut strokes: Vec<Stroke> = Vec::new();
     let mut burns = false;
     for pair in samples.windows(2) {
@@ -70,8 +72,8 @@ fn burned(it: &VirtualStation) -> Vec<Stroke> {
     strokes
 }
 
-fn assert_burned_once(it: &VirtualStation, what: &str) {
-    let (wanted, burned) = (wanted(), burned(it));
+fn assert_burned_once(station: &VirtualStation, what: &str) {
+    let (wanted, burned) = (wanted(), burned(station));
     let off_mm = deviation(&wanted, &burned).largest_mm();
     // A tick at 10 mm/s is 0.2 mm: so exactly can a laser be switched.
     assert!(off_mm < 0.45, "{what}: {off_mm} mm off");
@@ -85,11 +87,11 @@ fn assert_burned_once(it: &VirtualStation, what: &str) {
 #[test]
 fn a_laser_drawing_is_burned_once_and_its_travels_are_not() {
     for personality in Personality::ALL {
-        let (mut it, _, job) = armed(personality);
-        finish(&mut it, job);
-        assert_burned_once(&it, &personality.to_string());
+        let (mut station, _, job) = armed(personality);
+        finish(&mut station, job);
+        assert_burned_once(&station, &personality.to_string());
         // Nothing came between two of its vectors that switches the laser off.
-        let off = it
+        let off = station
             .notices()
             .iter()
             .any(|notice| notice.news == News::LaserOff);
@@ -100,18 +102,18 @@ fn a_laser_drawing_is_burned_once_and_its_travels_are_not() {
 #[test]
 fn a_laser_drawing_that_is_paused_in_its_lines_burns_no_hole_and_nothing_twice() {
     for personality in Personality::ALL {
-        let (mut it, anna, job) = armed(personality);
+        let (mut station, anna, job) = armed(personality);
         for command in [12, 20, 40] {
-            run_to(&mut it, command);
-            it.ask(anna, Request::PauseJob).unwrap();
-            wait_until_paused(&mut it, job);
-            assert!(!it.arm().controller().outputs().laser, "{personality}");
-            it.run_for(Duration::from_secs(5));
-            it.start(anna, job).unwrap();
+            run_to(&mut station, command);
+            station.ask(anna, Request::PauseJob).unwrap();
+            wait_until_paused(&mut station, job);
+            assert!(!station.arm().controller().outputs().laser, "{personality}");
+            station.run_for(Duration::from_secs(5));
+            station.start(anna, job).unwrap();
         }
-        finish(&mut it, job);
-        assert_burned_once(&it, &personality.to_string());
-        let hole_s = longest_stand_s(it.arm().samples(), 0.005);
+        finish(&mut station, job);
+        assert_burned_once(&station, &personality.to_string());
+        let hole_s = longest_stand_s(station.arm().samples(), 0.005);
         assert!(hole_s < 0.3, "{personality}: {hole_s} s");
     }
 }
@@ -119,21 +121,27 @@ fn a_laser_drawing_that_is_paused_in_its_lines_burns_no_hole_and_nothing_twice()
 #[test]
 fn a_laser_drawing_accepts_a_new_speed_and_keeps_its_height_while_burning() {
     for personality in Personality::ALL {
-        let (mut it, anna, job) = armed(personality);
-        run_to(&mut it, 10);
-        it.ask(anna, Request::SetJobSpeed { percent: 60.0 })
+        let (mut station, anna, job) = armed(personality);
+        run_to(&mut station, 10);
+        station
+            .ask(anna, Request::SetJobSpeed { percent: 60.0 })
             .unwrap();
-        run_to(&mut it, 14);
-        it.ask(anna, Request::SetJobHeight { offset_mm: 0.5 })
+        run_to(&mut station, 14);
+        station
+            .ask(anna, Request::SetJobHeight { offset_mm: 0.5 })
             .unwrap();
-        finish(&mut it, job);
-        assert_burned_once(&it, &personality.to_string());
-        let heights = it.arm().samples().windows(2).filter(|pair| pair[1].laser);
+        finish(&mut station, job);
+        assert_burned_once(&station, &personality.to_string());
+        let heights = station
+            .arm()
+            .samples()
+            .windows(2)
+            .filter(|pair| pair[1].laser);
         let steepest_mm = heights
             .map(|pair| (pair[1].position.z.0 - pair[0].position.z.0).abs())
             .fold(0.0, f64::max);
         assert!(steepest_mm < 0.01, "{personality}: {steepest_mm} mm");
-        let last_mm = it.arm().samples().last().unwrap().position.z.0;
+        let last_mm = station.arm().samples().last().unwrap().position.z.0;
         assert!(
             (last_mm - DOWN_MM - 0.5).abs() < 0.05,
             "{personality}: {last_mm} mm"

@@ -12,49 +12,49 @@ use super::drawing::{drawn_mm, spiral, virtual_station, wanted_mm};
 
 /// Returns whether the arm is at rest and the job can be started or resumed: one killed in its
 /// first moments has not started.
-fn rests(it: &VirtualStation, job: u64) -> bool {
-    let state = it.job(job).unwrap().state;
-    it.supervisor().is_at_rest() && matches!(state, JobState::Queued | JobState::Paused { .. })
+fn rests(station: &VirtualStation, job: u64) -> bool {
+    let state = station.job(job).unwrap().state;
+    station.supervisor().is_at_rest() && matches!(state, JobState::Queued | JobState::Paused { .. })
 }
 
 /// Draws a spiral and kills the station this many milliseconds after the start and after each
 /// resume.
 fn draw_with_crashes(personality: Personality, kills_ms: &[u64], away_ms: u64) {
-    let mut it = virtual_station(personality);
+    let mut station = virtual_station(personality);
     let drawing = spiral(12);
-    let job = it.submit(&drawing).unwrap();
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
-    it.start(anna, job).unwrap();
+    let job = station.submit(&drawing).unwrap();
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
+    station.start(anna, job).unwrap();
     for &kill_ms in kills_ms {
-        it.run_for(Duration::from_millis(kill_ms));
-        if it.job(job).unwrap().state.is_over() {
+        station.run_for(Duration::from_millis(kill_ms));
+        if station.job(job).unwrap().state.is_over() {
             break;
         }
-        it.crash(Duration::from_millis(away_ms)).unwrap();
-        let was_running = it.supervisor().job().is_some();
-        let minute = it.now() + Duration::from_secs(60);
+        station.crash(Duration::from_millis(away_ms)).unwrap();
+        let was_running = station.supervisor().job().is_some();
+        let minute = station.now() + Duration::from_secs(60);
         assert!(
-            it.run_until(minute, |station| rests(station, job)),
+            station.run_until(minute, |station| rests(station, job)),
             "it is paused, not lost"
         );
-        let anna = it.client("Anna");
-        it.ask(anna, Request::TakeLease).unwrap();
+        let anna = station.client("Anna");
+        station.ask(anna, Request::TakeLease).unwrap();
         if was_running {
             // The person looks at the arm first.
-            let refused = it.start(anna, job).unwrap_err();
+            let refused = station.start(anna, job).unwrap_err();
             assert!(
                 refused.hint().is_some_and(|hint| hint.contains("confirm")),
                 "{refused}"
             );
         }
-        it.ask(anna, Request::ConfirmPose).unwrap();
-        it.start(anna, job).unwrap();
+        station.ask(anna, Request::ConfirmPose).unwrap();
+        station.start(anna, job).unwrap();
     }
-    let minutes = it.now() + Duration::from_secs(180);
-    assert!(it.run_until(minutes, |station| station.job(job).unwrap().state.is_over()));
-    assert_eq!(it.job(job).unwrap().state.to_string(), "done");
-    let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
+    let minutes = station.now() + Duration::from_secs(180);
+    assert!(station.run_until(minutes, |station| station.job(job).unwrap().state.is_over()));
+    assert_eq!(station.job(job).unwrap().state.to_string(), "done");
+    let (found_mm, wanted_mm) = (drawn_mm(&station), wanted_mm(&drawing));
     assert!(
         (found_mm - wanted_mm).abs() < 0.3,
         "{found_mm} mm were drawn, wanted are {wanted_mm} mm: a vector was lost or repeated"

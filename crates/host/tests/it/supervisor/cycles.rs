@@ -11,34 +11,34 @@ use crate::cases::carries::{HERE, THERE, attend, cube_is_at, shuttle, station};
 const BOTH: [Personality; 2] = [Personality::Specification, Personality::Firmware11];
 
 /// Neither the supervisor nor the journal has it at work: the arm rests.
-fn rests(it: &VirtualStation, job: u64) -> bool {
+fn rests(station: &VirtualStation, job: u64) -> bool {
     let works = |phase| matches!(phase, JobPhase::Queued | JobPhase::Running);
-    let current = it.supervisor().job().filter(|view| view.job == job);
-    !works(it.job(job).unwrap().state.phase())
+    let current = station.supervisor().job().filter(|view| view.job == job);
+    !works(station.job(job).unwrap().state.phase())
         && !current.is_some_and(|current| works(current.phase))
 }
 
-fn run_until_rest(it: &mut VirtualStation, job: u64, hours: u64) {
-    let latest = it.now() + Duration::from_secs(hours * 3600);
+fn run_until_rest(station: &mut VirtualStation, job: u64, hours: u64) {
+    let latest = station.now() + Duration::from_secs(hours * 3600);
     assert!(
-        it.run_until(latest, |station| rests(station, job)),
+        station.run_until(latest, |station| rests(station, job)),
         "{:?}",
-        it.supervisor().job()
+        station.supervisor().job()
     );
 }
 
 #[test]
 fn a_cycle_is_repeated_as_often_as_requested() {
     for personality in BOTH {
-        let (mut it, anna) = station(personality, &[], 0);
-        let job = it.submit(&shuttle(Some(7))).unwrap();
-        it.start(anna, job).unwrap();
-        run_until_rest(&mut it, job, 1);
-        let job = it.job(job).unwrap();
+        let (mut station, anna) = station(personality, &[], 0);
+        let job = station.submit(&shuttle(Some(7))).unwrap();
+        station.start(anna, job).unwrap();
+        run_until_rest(&mut station, job, 1);
+        let job = station.job(job).unwrap();
         assert_eq!(job.state.to_string(), "done");
         assert_eq!(job.window.completed, 1 + 7 * 8);
-        assert!(cube_is_at(&it, HERE));
-        let carried = it
+        assert!(cube_is_at(&station, HERE));
+        let carried = station
             .notices()
             .iter()
             .filter(|notice| notice.text.contains("sent again"));
@@ -49,11 +49,11 @@ fn a_cycle_is_repeated_as_often_as_requested() {
 #[test]
 fn cycles_are_counted_and_timed_while_they_run() {
     for personality in BOTH {
-        let (mut it, anna) = station(personality, &[], 0);
-        let job = it.submit(&shuttle(None)).unwrap();
-        it.start(anna, job).unwrap();
-        it.run_for(Duration::from_secs(300));
-        let view = it.supervisor().job().unwrap();
+        let (mut station, anna) = station(personality, &[], 0);
+        let job = station.submit(&shuttle(None)).unwrap();
+        station.start(anna, job).unwrap();
+        station.run_for(Duration::from_secs(300));
+        let view = station.supervisor().job().unwrap();
         let program = view.program.unwrap();
         assert_eq!(
             (view.phase, program.cycles, view.left_s),
@@ -69,41 +69,41 @@ fn cycles_are_counted_and_timed_while_they_run() {
             (planned_s..planned_s + 4.0).contains(&mean_s),
             "{planned_s} {mean_s}"
         );
-        it.ask(anna, Request::PauseJob).unwrap();
-        it.run_for(Duration::from_secs(20));
-        let paused = it.supervisor().job().unwrap();
+        station.ask(anna, Request::PauseJob).unwrap();
+        station.run_for(Duration::from_secs(20));
+        let paused = station.supervisor().job().unwrap();
         assert_eq!(paused.phase, JobPhase::Paused);
         let done = paused.program.unwrap().cycles_done;
-        it.start(anna, job).unwrap();
-        it.run_for(Duration::from_secs(120));
-        let running = it.supervisor().job().unwrap().program.unwrap();
+        station.start(anna, job).unwrap();
+        station.run_for(Duration::from_secs(120));
+        let running = station.supervisor().job().unwrap().program.unwrap();
         assert!(running.cycles_done > done + 3, "{running:?}");
-        it.ask(anna, Request::CancelJob { job }).unwrap();
-        run_until_rest(&mut it, job, 1);
-        assert_eq!(it.job(job).unwrap().state.phase(), JobPhase::Stopped);
+        station.ask(anna, Request::CancelJob { job }).unwrap();
+        run_until_rest(&mut station, job, 1);
+        assert_eq!(station.job(job).unwrap().state.phase(), JobPhase::Stopped);
     }
 }
 
 #[test]
 fn a_program_advances_step_by_step_on_request() {
-    let (mut it, anna) = station(Personality::Firmware11, &[], 0);
-    let job = it.submit(&shuttle(Some(2))).unwrap();
+    let (mut station, anna) = station(Personality::Firmware11, &[], 0);
+    let job = station.submit(&shuttle(Some(2))).unwrap();
     let mut seen = Vec::new();
     for _ in 0..40 {
-        if it.ask(anna, Request::StepJob { job }).is_err() {
+        if station.ask(anna, Request::StepJob { job }).is_err() {
             break;
         }
-        run_until_rest(&mut it, job, 1);
-        seen.push(it.job(job).unwrap().window.completed);
+        run_until_rest(&mut station, job, 1);
+        seen.push(station.job(job).unwrap().window.completed);
     }
     assert_eq!(seen, [1, 3, 5, 7, 9, 11, 13, 15, 17]);
-    assert_eq!(it.job(job).unwrap().state.to_string(), "done");
-    assert!(cube_is_at(&it, HERE));
+    assert_eq!(station.job(job).unwrap().state.to_string(), "done");
+    assert!(cube_is_at(&station, HERE));
 }
 
 #[test]
 fn a_program_waits_for_the_person_in_every_cycle() {
-    let (mut it, anna) = station(Personality::Specification, &[], 0);
+    let (mut station, anna) = station(Personality::Specification, &[], 0);
     let pauses = vec![JobPause {
         before: 5,
         message: "turn the cube".into(),
@@ -112,37 +112,37 @@ fn a_program_waits_for_the_person_in_every_cycle() {
         pauses,
         ..shuttle(Some(5))
     };
-    let job = it.submit(&job).unwrap();
+    let job = station.submit(&job).unwrap();
     for cycle in 0..5 {
-        it.start(anna, job).unwrap();
-        run_until_rest(&mut it, job, 1);
-        let kept = it.job(job).unwrap();
+        station.start(anna, job).unwrap();
+        run_until_rest(&mut station, job, 1);
+        let kept = station.job(job).unwrap();
         assert_eq!(kept.state.to_string(), "paused (turn the cube)");
         assert_eq!(kept.window.completed, 5 + cycle * 8);
-        assert!(cube_is_at(&it, THERE));
+        assert!(cube_is_at(&station, THERE));
     }
-    it.start(anna, job).unwrap();
-    run_until_rest(&mut it, job, 1);
-    assert_eq!(it.job(job).unwrap().state.to_string(), "done");
+    station.start(anna, job).unwrap();
+    run_until_rest(&mut station, job, 1);
+    assert_eq!(station.job(job).unwrap().state.to_string(), "done");
 }
 
 #[test]
 fn no_object_is_lost_or_misplaced_by_damaged_packets() {
     for personality in BOTH {
         let faults = ["flip=0.05%", "drop=0.02%"];
-        let (mut it, anna) = station(personality, &faults, 7);
-        let job = it.submit(&shuttle(Some(60))).unwrap();
-        it.start(anna, job).unwrap();
-        run_until_rest(&mut it, job, 10);
-        let state = it.job(job).unwrap().state;
+        let (mut station, anna) = station(personality, &faults, 7);
+        let job = station.submit(&shuttle(Some(60))).unwrap();
+        station.start(anna, job).unwrap();
+        run_until_rest(&mut station, job, 10);
+        let state = station.job(job).unwrap().state;
         assert_eq!(state.to_string(), "done");
-        let again = it
+        let again = station
             .notices()
             .iter()
             .filter(|notice| notice.text.contains("sent again"))
             .count();
         assert!(again > 0, "nothing was lost: the faults are too few");
-        assert!(cube_is_at(&it, HERE));
+        assert!(cube_is_at(&station, HERE));
     }
 }
 
@@ -150,25 +150,25 @@ fn no_object_is_lost_or_misplaced_by_damaged_packets() {
 fn no_carry_is_lost_or_done_twice_whenever_the_station_is_killed() {
     for personality in BOTH {
         for seed in 0..6 {
-            let (mut it, anna) = station(personality, &[], seed);
-            let job = it.submit(&shuttle(Some(12))).unwrap();
-            it.start(anna, job).unwrap();
+            let (mut station, anna) = station(personality, &[], seed);
+            let job = station.submit(&shuttle(Some(12))).unwrap();
+            station.start(anna, job).unwrap();
             for kill in 0..12 {
-                it.run_for(Duration::from_millis(5000 + 1370 * kill + 217 * seed));
-                if it.job(job).unwrap().state.is_over() {
+                station.run_for(Duration::from_millis(5000 + 1370 * kill + 217 * seed));
+                if station.job(job).unwrap().state.is_over() {
                     break;
                 }
-                it.crash(Duration::from_millis(300 * kill)).unwrap();
-                attend(&mut it, job);
+                station.crash(Duration::from_millis(300 * kill)).unwrap();
+                attend(&mut station, job);
             }
-            run_until_rest(&mut it, job, 10);
-            let kept = it.job(job).unwrap();
+            run_until_rest(&mut station, job, 10);
+            let kept = station.job(job).unwrap();
             assert_eq!(
                 kept.state.to_string(),
                 "done",
                 "seed {seed} on {personality:?}"
             );
-            assert!(cube_is_at(&it, HERE));
+            assert!(cube_is_at(&station, HERE));
         }
     }
 }
@@ -176,21 +176,33 @@ fn no_carry_is_lost_or_done_twice_whenever_the_station_is_killed() {
 #[test]
 fn a_program_runs_faster_and_slower_while_it_is_running() {
     for personality in BOTH {
-        let (mut it, anna) = station(personality, &[], 0);
-        let job = it.submit(&shuttle(None)).unwrap();
-        it.start(anna, job).unwrap();
+        let (mut station, anna) = station(personality, &[], 0);
+        let job = station.submit(&shuttle(None)).unwrap();
+        station.start(anna, job).unwrap();
         let mut mean_s = [100.0, 25.0, 200.0].map(|percent| {
-            it.ask(anna, Request::SetJobSpeed { percent }).unwrap();
-            it.run_for(Duration::from_secs(100));
-            let before = it.supervisor().job().unwrap().program.unwrap().cycles_done;
-            it.run_for(Duration::from_secs(400));
-            let after = it.supervisor().job().unwrap().program.unwrap().cycles_done;
+            station.ask(anna, Request::SetJobSpeed { percent }).unwrap();
+            station.run_for(Duration::from_secs(100));
+            let before = station
+                .supervisor()
+                .job()
+                .unwrap()
+                .program
+                .unwrap()
+                .cycles_done;
+            station.run_for(Duration::from_secs(400));
+            let after = station
+                .supervisor()
+                .job()
+                .unwrap()
+                .program
+                .unwrap()
+                .cycles_done;
             400.0 / f64::from(u32::try_from(after - before).unwrap())
         });
         mean_s.rotate_right(1);
         assert!(mean_s.is_sorted(), "{mean_s:?}");
         // The default of an arm is 50 %, so twice as fast is the maximum.
-        let refused = it
+        let refused = station
             .ask(anna, Request::SetJobSpeed { percent: 201.0 })
             .unwrap_err();
         assert!(refused.to_string().contains("10 to 200 %"), "{refused}");

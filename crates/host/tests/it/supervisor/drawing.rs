@@ -88,6 +88,6 @@ pub(crate) fn wanted_mm(job: &NewJob) -> f64 {
 }
 
 /// Returns whether a job is over.
-pub(crate) fn is_over(it: &VirtualStation, job: u64) -> bool {
-    it.job(job).unwrap().state.is_over()
+pub(crate) fn is_over(station: &VirtualStation, job: u64) -> bool {
+    station.job(job).unwrap().state.is_over()
 }

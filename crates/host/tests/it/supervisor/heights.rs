@@ -17,37 +17,43 @@ use super::strokes::{
 
 /// Returns the highest and lowest height above the plan of the pen on the paper in the last
 /// moments.
-fn heights_mm(it: &VirtualStation, from: Duration) -> (f64, f64) {
-    let samples = it.arm().samples().iter().filter(|sample| sample.at >= from);
+fn heights_mm(station: &VirtualStation, from: Duration) -> (f64, f64) {
+    let samples = station
+        .arm()
+        .samples()
+        .iter()
+        .filter(|sample| sample.at >= from);
     let heights = samples.map(|sample| sample.position.z.0 - DOWN_MM);
     let drawing = heights.filter(|height| *height < 2.0);
-    drawing.fold((f64::MAX, f64::MIN), |(low, high), it| {
-        (low.min(it), high.max(it))
+    drawing.fold((f64::MAX, f64::MIN), |(low, high), height| {
+        (low.min(height), high.max(height))
     })
 }
 
-fn set(it: &mut VirtualStation, anna: ClientId, offset_mm: f64) {
-    it.ask(anna, Request::SetJobHeight { offset_mm }).unwrap();
+fn set(station: &mut VirtualStation, anna: ClientId, offset_mm: f64) {
+    station
+        .ask(anna, Request::SetJobHeight { offset_mm })
+        .unwrap();
 }
 
 #[test]
 fn a_new_height_is_reached_smoothly_and_stays() {
     for personality in PERSONALITIES {
         let planned = pen_job(personality, &[(spiral(), None)]);
-        let (mut it, anna, job) = started(personality, &planned);
-        run_to(&mut it, 30);
-        set(&mut it, anna, 0.4);
-        assert_eq!(view(&it).height_mm, 0.4);
-        run_to(&mut it, 70);
-        let since = it.now();
-        run_to(&mut it, 100);
-        let (low, high) = heights_mm(&it, since);
+        let (mut station, anna, job) = started(personality, &planned);
+        run_to(&mut station, 30);
+        set(&mut station, anna, 0.4);
+        assert_eq!(view(&station).height_mm, 0.4);
+        run_to(&mut station, 70);
+        let since = station.now();
+        run_to(&mut station, 100);
+        let (low, high) = heights_mm(&station, since);
         assert!(
             (low - 0.4).abs() < 0.05 && (high - 0.4).abs() < 0.05,
             "{low} {high}"
         );
-        finish(&mut it, job);
-        let steepest = it
+        finish(&mut station, job);
+        let steepest = station
             .arm()
             .samples()
             .windows(2)
@@ -66,22 +72,22 @@ fn a_new_height_set_during_a_pause_applies_from_there_on() {
     for personality in PERSONALITIES {
         for offset_mm in [0.2, -0.3, 1.5] {
             let planned = pen_job(personality, &[(spiral(), None)]);
-            let (mut it, anna, job) = started(personality, &planned);
-            run_to(&mut it, 50);
-            it.ask(anna, Request::PauseJob).unwrap();
-            wait_until_paused(&mut it, job);
-            set(&mut it, anna, offset_mm);
-            it.run_for(Duration::from_secs(1));
-            it.start(anna, job).unwrap();
-            run_to(&mut it, 70);
-            let since = it.now();
-            run_to(&mut it, 100);
-            let (low, high) = heights_mm(&it, since);
+            let (mut station, anna, job) = started(personality, &planned);
+            run_to(&mut station, 50);
+            station.ask(anna, Request::PauseJob).unwrap();
+            wait_until_paused(&mut station, job);
+            set(&mut station, anna, offset_mm);
+            station.run_for(Duration::from_secs(1));
+            station.start(anna, job).unwrap();
+            run_to(&mut station, 70);
+            let since = station.now();
+            run_to(&mut station, 100);
+            let (low, high) = heights_mm(&station, since);
             assert!(
                 (low - offset_mm).abs() < 0.05 && (high - offset_mm).abs() < 0.05,
                 "{personality}: {low} to {high} mm, wanted {offset_mm} mm"
             );
-            finish(&mut it, job);
+            finish(&mut station, job);
         }
     }
 }
@@ -89,33 +95,35 @@ fn a_new_height_set_during_a_pause_applies_from_there_on() {
 #[test]
 fn a_value_out_of_range_is_refused_with_the_allowed_range() {
     let personality = Personality::Firmware11;
-    let (mut it, anna, _) = started(personality, &pen_job(personality, &[(spiral(), None)]));
-    run_to(&mut it, 20);
+    let (mut station, anna, _) = started(personality, &pen_job(personality, &[(spiral(), None)]));
+    run_to(&mut station, 20);
     for percent in [9.9, 200.1, -1.0, f64::NAN, f64::INFINITY] {
-        let refused = it.ask(anna, Request::SetJobSpeed { percent }).unwrap_err();
+        let refused = station
+            .ask(anna, Request::SetJobSpeed { percent })
+            .unwrap_err();
         assert_eq!(
             refused.to_string(),
             format!("percent is {percent}; allowed is 10 to 200 %")
         );
     }
     for offset_mm in [5.1, -5.1, f64::NAN] {
-        let refused = it.ask(anna, Request::SetJobHeight { offset_mm });
+        let refused = station.ask(anna, Request::SetJobHeight { offset_mm });
         assert_eq!(
             refused.unwrap_err().to_string(),
             format!("offset_mm is {offset_mm}; allowed is -5 to 5 mm")
         );
     }
-    let bert = it.client("Bert");
-    let refused = it.ask(bert, Request::SetJobSpeed { percent: 50.0 });
+    let bert = station.client("Bert");
+    let refused = station.ask(bert, Request::SetJobSpeed { percent: 50.0 });
     assert_eq!(refused.unwrap_err().kind(), "no-lease");
 }
 
 #[test]
 fn a_job_of_targets_keeps_its_speed_and_height() {
-    let mut it = drawing::virtual_station(Personality::Firmware11);
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
-    let refused = it.ask(anna, Request::SetJobSpeed { percent: 50.0 });
+    let mut station = drawing::virtual_station(Personality::Firmware11);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
+    let refused = station.ask(anna, Request::SetJobSpeed { percent: 50.0 });
     assert_eq!(refused.unwrap_err().kind(), "no-job-runs");
     let target = drawing::spiral(1).commands[2];
     let program = NewJob {
@@ -124,9 +132,9 @@ fn a_job_of_targets_keeps_its_speed_and_height() {
         lift_mm: 0.0,
         ..drawing::spiral(1)
     };
-    let job = it.submit(&program).unwrap();
-    it.start(anna, job).unwrap();
-    let refused = it.ask(anna, Request::SetJobHeight { offset_mm: 1.0 });
+    let job = station.submit(&program).unwrap();
+    station.start(anna, job).unwrap();
+    let refused = station.ask(anna, Request::SetJobHeight { offset_mm: 1.0 });
     assert_eq!(refused.unwrap_err().kind(), "no-vectors");
 }
 
@@ -135,27 +143,28 @@ fn a_height_below_the_table_is_refused_at_once_and_the_job_continues() {
     let personality = Personality::Firmware11;
     let mut planned = pen_job(personality, &[(spiral(), None)]);
     for command in &mut planned.commands {
-        if let Command::MoveTo(it) = command {
-            it.z_mm -= 31.0;
+        if let Command::MoveTo(target) = command {
+            target.z_mm -= 31.0;
         }
     }
-    let (mut it, anna, job) = started(personality, &planned);
-    run_to(&mut it, 30);
+    let (mut station, anna, job) = started(personality, &planned);
+    run_to(&mut station, 30);
     let low = Request::SetJobHeight { offset_mm: -4.0 };
-    let refused = it.ask(anna, low.clone()).unwrap_err();
+    let refused = station.ask(anna, low.clone()).unwrap_err();
     assert_eq!(refused.kind(), "policy", "{refused}");
     assert!(refused.to_string().contains("table allows"), "{refused}");
-    assert_eq!(view(&it).height_mm, 0.0);
-    set(&mut it, anna, -1.0);
-    run_to(&mut it, 50);
-    it.ask(anna, Request::PauseJob).unwrap();
-    wait_until_paused(&mut it, job);
-    assert_eq!(it.ask(anna, low).unwrap_err().kind(), "policy");
-    it.run_for(Duration::from_secs(1));
-    it.start(anna, job).unwrap();
-    finish(&mut it, job);
+    assert_eq!(view(&station).height_mm, 0.0);
+    set(&mut station, anna, -1.0);
+    run_to(&mut station, 50);
+    station.ask(anna, Request::PauseJob).unwrap();
+    wait_until_paused(&mut station, job);
+    assert_eq!(station.ask(anna, low).unwrap_err().kind(), "policy");
+    station.run_for(Duration::from_secs(1));
+    station.start(anna, job).unwrap();
+    finish(&mut station, job);
     assert_eq!(
-        it.job(job)
+        station
+            .job(job)
             .unwrap()
             .adjustment
             .heights
@@ -169,32 +178,32 @@ fn a_height_below_the_table_is_refused_at_once_and_the_job_continues() {
 /// Draws during any actions of a person, and is killed in between.
 fn draw_and_kill(personality: Personality, steps: &[(u64, f64, f64, bool)]) {
     let planned = pen_job(personality, &[(spiral(), None)]);
-    let (mut it, mut anna, job) = started(personality, &planned);
+    let (mut station, mut anna, job) = started(personality, &planned);
     for &(ms, percent, offset_mm, pauses) in steps {
-        it.run_for(Duration::from_millis(ms));
+        station.run_for(Duration::from_millis(ms));
         // If it is done or coming to rest already, that is refused.
-        let _ = it.ask(anna, Request::SetJobSpeed { percent });
-        let _ = it.ask(anna, Request::SetJobHeight { offset_mm });
-        it.run_for(Duration::from_millis(ms / 3));
+        let _ = station.ask(anna, Request::SetJobSpeed { percent });
+        let _ = station.ask(anna, Request::SetJobHeight { offset_mm });
+        station.run_for(Duration::from_millis(ms / 3));
         if pauses {
-            let _ = it.ask(anna, Request::PauseJob);
-            it.run_for(Duration::from_millis(ms / 3));
+            let _ = station.ask(anna, Request::PauseJob);
+            station.run_for(Duration::from_millis(ms / 3));
         }
-        if it.job(job).unwrap().state.is_over() {
+        if station.job(job).unwrap().state.is_over() {
             break;
         }
-        it.crash(Duration::from_millis(400)).unwrap();
-        let minute = it.now() + Duration::from_secs(120);
+        station.crash(Duration::from_millis(400)).unwrap();
+        let minute = station.now() + Duration::from_secs(120);
         let rests =
             |station: &VirtualStation| station.supervisor().is_at_rest() && is_paused(station, job);
-        assert!(it.run_until(minute, rests), "{:?}", it.job(job));
-        anna = it.client("Anna");
-        it.ask(anna, Request::TakeLease).unwrap();
-        it.ask(anna, Request::ConfirmPose).unwrap();
-        it.start(anna, job).unwrap();
+        assert!(station.run_until(minute, rests), "{:?}", station.job(job));
+        anna = station.client("Anna");
+        station.ask(anna, Request::TakeLease).unwrap();
+        station.ask(anna, Request::ConfirmPose).unwrap();
+        station.start(anna, job).unwrap();
     }
-    finish(&mut it, job);
-    assert_sent_once(&it, personality, &planned);
+    finish(&mut station, job);
+    assert_sent_once(&station, personality, &planned);
 }
 
 #[test]
@@ -217,26 +226,27 @@ fn the_slowest_drawing_is_resumed_after_a_crash() {
     for personality in PERSONALITIES {
         let stroke = Stroke::open(spiral().points[..24].to_vec());
         let planned = pen_job_at(6.0, personality, &[(stroke.clone(), None)]);
-        let (mut it, anna, job) = started(personality, &planned);
-        it.ask(anna, Request::SetJobSpeed { percent: 10.0 })
+        let (mut station, anna, job) = started(personality, &planned);
+        station
+            .ask(anna, Request::SetJobSpeed { percent: 10.0 })
             .unwrap();
-        run_to(&mut it, 8);
-        it.crash(Duration::from_millis(400)).unwrap();
-        let minute = it.now() + Duration::from_secs(60);
+        run_to(&mut station, 8);
+        station.crash(Duration::from_millis(400)).unwrap();
+        let minute = station.now() + Duration::from_secs(60);
         let rests =
             |station: &VirtualStation| station.supervisor().is_at_rest() && is_paused(station, job);
-        assert!(it.run_until(minute, rests), "{:?}", it.job(job));
-        let anna = it.client("Anna");
-        it.ask(anna, Request::TakeLease).unwrap();
-        it.ask(anna, Request::ConfirmPose).unwrap();
-        it.start(anna, job).unwrap();
-        finish(&mut it, job);
-        assert_drawn_once(&it, &[stroke], 0.05, &personality.to_string());
+        assert!(station.run_until(minute, rests), "{:?}", station.job(job));
+        let anna = station.client("Anna");
+        station.ask(anna, Request::TakeLease).unwrap();
+        station.ask(anna, Request::ConfirmPose).unwrap();
+        station.start(anna, job).unwrap();
+        finish(&mut station, job);
+        assert_drawn_once(&station, &[stroke], 0.05, &personality.to_string());
     }
 }
 
 /// At any height, each drawing vector was sent once, in order.
-fn assert_sent_once(it: &VirtualStation, personality: Personality, planned: &NewJob) {
+fn assert_sent_once(station: &VirtualStation, personality: Personality, planned: &NewJob) {
     let drawing = |command: Command| match command {
         // The rounding error of a lift draws nothing.
         Command::WriteVector(vector) if vector.x_mm.hypot(vector.y_mm) > 0.001 => {
@@ -248,7 +258,7 @@ fn assert_sent_once(it: &VirtualStation, personality: Personality, planned: &New
         let packet = Packet::from_bytes(bytes).unwrap();
         Command::parse(&packet, &personality.dialect()).unwrap()
     };
-    let sent = it.packets().iter().map(|(_, bytes)| read(bytes));
+    let sent = station.packets().iter().map(|(_, bytes)| read(bytes));
     let sent: Vec<_> = sent.filter_map(drawing).collect();
     let wanted: Vec<_> = planned
         .commands

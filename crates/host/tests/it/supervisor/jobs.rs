@@ -21,42 +21,46 @@ fn close(found_mm: f64, wanted_mm: f64, what: &str) {
 #[test]
 fn a_job_is_drawn_once_and_done() {
     for personality in PERSONALITIES {
-        let mut it = virtual_station(personality);
-        let anna = it.client("Anna");
-        it.ask(anna, Request::TakeLease).unwrap();
+        let mut station = virtual_station(personality);
+        let anna = station.client("Anna");
+        station.ask(anna, Request::TakeLease).unwrap();
         let drawing = spiral(12);
-        let job = it.submit(&drawing).unwrap();
-        it.start(anna, job).unwrap();
-        let planned_s = it.supervisor().job().unwrap().planned_s.unwrap();
-        let began = it.now();
+        let job = station.submit(&drawing).unwrap();
+        station.start(anna, job).unwrap();
+        let planned_s = station.supervisor().job().unwrap().planned_s.unwrap();
+        let began = station.now();
         assert!(
-            it.run_until(began + Duration::from_mins(2), |station| is_over(
+            station.run_until(began + Duration::from_mins(2), |station| is_over(
                 station, job
             ))
         );
-        let took_s = it.now().saturating_sub(began).as_secs_f64();
+        let took_s = station.now().saturating_sub(began).as_secs_f64();
         assert!(
             (took_s / planned_s - 1.0).abs() < 0.25,
             "{took_s} s, planned {planned_s} s"
         );
-        assert_eq!(it.job(job).unwrap().state.to_string(), "done");
-        close(drawn_mm(&it), wanted_mm(&drawing), &personality.to_string());
+        assert_eq!(station.job(job).unwrap().state.to_string(), "done");
+        close(
+            drawn_mm(&station),
+            wanted_mm(&drawing),
+            &personality.to_string(),
+        );
     }
 }
 
 #[test]
 fn a_paused_job_lifts_its_pen_and_resumes_where_it_was() {
     for personality in PERSONALITIES {
-        let mut it = virtual_station(personality);
-        let anna = it.client("Anna");
-        it.ask(anna, Request::TakeLease).unwrap();
+        let mut station = virtual_station(personality);
+        let anna = station.client("Anna");
+        station.ask(anna, Request::TakeLease).unwrap();
         let drawing = spiral(12);
-        let job = it.submit(&drawing).unwrap();
-        it.start(anna, job).unwrap();
+        let job = station.submit(&drawing).unwrap();
+        station.start(anna, job).unwrap();
         for _ in 0..3 {
-            it.run_for(Duration::from_millis(2_500));
-            it.ask(anna, Request::PauseJob).unwrap();
-            let minute = it.now() + Duration::from_mins(1);
+            station.run_for(Duration::from_millis(2_500));
+            station.ask(anna, Request::PauseJob).unwrap();
+            let minute = station.now() + Duration::from_mins(1);
             let rests = |station: &VirtualStation| {
                 station
                     .job(job)
@@ -65,26 +69,30 @@ fn a_paused_job_lifts_its_pen_and_resumes_where_it_was() {
                     .to_string()
                     .starts_with("paused")
             };
-            assert!(it.run_until(minute, rests), "{personality}");
-            it.run_for(Duration::from_secs(2));
-            let z_mm = it.supervisor().state().arm.unwrap().status.z_mm;
+            assert!(station.run_until(minute, rests), "{personality}");
+            station.run_for(Duration::from_secs(2));
+            let z_mm = station.supervisor().state().arm.unwrap().status.z_mm;
             assert!(z_mm > -26.0, "{personality}: the pen is at {z_mm} mm");
-            assert_eq!(it.supervisor().job().unwrap().phase, JobPhase::Paused);
-            it.start(anna, job).unwrap();
+            assert_eq!(station.supervisor().job().unwrap().phase, JobPhase::Paused);
+            station.start(anna, job).unwrap();
         }
-        let minutes = it.now() + Duration::from_mins(3);
+        let minutes = station.now() + Duration::from_mins(3);
         assert!(
-            it.run_until(minutes, |station| is_over(station, job)),
+            station.run_until(minutes, |station| is_over(station, job)),
             "{personality}"
         );
-        close(drawn_mm(&it), wanted_mm(&drawing), &personality.to_string());
+        close(
+            drawn_mm(&station),
+            wanted_mm(&drawing),
+            &personality.to_string(),
+        );
     }
 }
 
 #[test]
 fn a_job_that_leaves_the_policy_is_refused_with_the_command_that_does() {
-    let mut it = virtual_station(Personality::Firmware11);
-    let refused = it.submit(&spiral(300)).unwrap_err();
+    let mut station = virtual_station(Personality::Firmware11);
+    let refused = station.submit(&spiral(300)).unwrap_err();
     assert_eq!(refused.kind(), "bad-job");
     let text = refused.to_string();
     assert!(text.starts_with("command "), "{text}");
@@ -92,10 +100,10 @@ fn a_job_that_leaves_the_policy_is_refused_with_the_command_that_does() {
 
 #[test]
 fn a_job_without_a_start_place_is_refused() {
-    let mut it = virtual_station(Personality::Firmware11);
+    let mut station = virtual_station(Personality::Firmware11);
     let mut drawing = spiral(4);
     drawing.commands.remove(2);
-    let refused = it.submit(&drawing).unwrap_err().to_string();
+    let refused = station.submit(&drawing).unwrap_err().to_string();
     assert!(
         refused.contains("command 2 of the job: the first motion must be a target"),
         "{refused}"
@@ -104,43 +112,43 @@ fn a_job_without_a_start_place_is_refused() {
 
 #[test]
 fn no_other_client_moves_the_arm_while_a_job_runs() {
-    let mut it = virtual_station(Personality::Firmware11);
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
-    let job = it.submit(&spiral(12)).unwrap();
-    it.start(anna, job).unwrap();
-    it.run_for(Duration::from_secs(1));
+    let mut station = virtual_station(Personality::Firmware11);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
+    let job = station.submit(&spiral(12)).unwrap();
+    station.start(anna, job).unwrap();
+    station.run_for(Duration::from_secs(1));
     let command = spiral(1).commands[2];
-    let refused = it.ask(anna, Request::Command { command }).unwrap_err();
+    let refused = station.ask(anna, Request::Command { command }).unwrap_err();
     assert_eq!(refused.to_string(), format!("job {job} is using the arm"));
 }
 
 /// The number of the job that a request answers with.
-fn number(it: &mut VirtualStation, who: ClientId, request: Request) -> u64 {
-    match it.ask(who, request) {
+fn number(station: &mut VirtualStation, who: ClientId, request: Request) -> u64 {
+    match station.ask(who, request) {
         Ok(Reply::Job { job }) => job.job,
         other => panic!("it answers with a job, and not with {other:?}"),
     }
 }
 
-fn listed(it: &mut VirtualStation) -> Vec<(u64, JobPhase)> {
-    let jobs = it.jobs().unwrap();
+fn listed(station: &mut VirtualStation) -> Vec<(u64, JobPhase)> {
+    let jobs = station.jobs().unwrap();
     jobs.iter().map(|job| (job.job, job.phase)).collect()
 }
 
 #[test]
 fn a_finished_job_is_queued_and_drawn_again() {
-    let mut it = virtual_station(Personality::Specification);
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
+    let mut station = virtual_station(Personality::Specification);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
     let drawing = spiral(12);
-    let first = it.submit(&drawing).unwrap();
-    it.start(anna, first).unwrap();
+    let first = station.submit(&drawing).unwrap();
+    station.start(anna, first).unwrap();
     let minute = Duration::from_mins(1);
-    assert!(it.run_until(it.now() + minute, |station| is_over(station, first)));
-    let once_mm = drawn_mm(&it);
+    assert!(station.run_until(station.now() + minute, |station| is_over(station, first)));
+    let once_mm = drawn_mm(&station);
     let again = number(
-        &mut it,
+        &mut station,
         anna,
         Request::QueueAgain {
             job: first,
@@ -148,33 +156,33 @@ fn a_finished_job_is_queued_and_drawn_again() {
         },
     );
     assert_ne!(again, first);
-    it.start(anna, again).unwrap();
-    assert!(it.run_until(it.now() + minute, |station| is_over(station, again)));
-    close(drawn_mm(&it), 2.0 * once_mm, "twice");
-    assert_eq!(it.jobs().unwrap()[1].title, drawing.title);
+    station.start(anna, again).unwrap();
+    assert!(station.run_until(station.now() + minute, |station| is_over(station, again)));
+    close(drawn_mm(&station), 2.0 * once_mm, "twice");
+    assert_eq!(station.jobs().unwrap()[1].title, drawing.title);
 }
 
 #[test]
 fn queued_jobs_can_be_moved_and_other_jobs_cannot() {
-    let mut it = virtual_station(Personality::Specification);
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
-    let [one, two, three] = [(); 3].map(|()| it.submit(&spiral(2)).unwrap());
+    let mut station = virtual_station(Personality::Specification);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
+    let [one, two, three] = [(); 3].map(|()| station.submit(&spiral(2)).unwrap());
     let moved = Request::MoveJob {
         job: three,
         before: Some(one),
     };
-    assert_eq!(number(&mut it, anna, moved), three);
+    assert_eq!(number(&mut station, anna, moved), three);
     let queued = |job| (job, JobPhase::Queued);
-    assert_eq!(listed(&mut it), [three, one, two].map(queued));
+    assert_eq!(listed(&mut station), [three, one, two].map(queued));
     let last = Request::MoveJob {
         job: one,
         before: None,
     };
-    number(&mut it, anna, last);
-    assert_eq!(listed(&mut it), [three, two, one].map(queued));
-    it.ask(anna, Request::CancelJob { job: two }).unwrap();
-    let refused = it.ask(
+    number(&mut station, anna, last);
+    assert_eq!(listed(&mut station), [three, two, one].map(queued));
+    station.ask(anna, Request::CancelJob { job: two }).unwrap();
+    let refused = station.ask(
         anna,
         Request::MoveJob {
             job: one,
@@ -189,27 +197,29 @@ fn queued_jobs_can_be_moved_and_other_jobs_cannot() {
 
 #[test]
 fn a_job_is_deleted_when_over_or_not_started_but_not_while_running() {
-    let mut it = virtual_station(Personality::Specification);
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
-    let [job, other] = [(); 2].map(|()| it.submit(&spiral(12)).unwrap());
-    it.start(anna, job).unwrap();
-    it.run_for(Duration::from_secs(1));
-    let refused = it.ask(anna, Request::ForgetJob { job }).unwrap_err();
+    let mut station = virtual_station(Personality::Specification);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
+    let [job, other] = [(); 2].map(|()| station.submit(&spiral(12)).unwrap());
+    station.start(anna, job).unwrap();
+    station.run_for(Duration::from_secs(1));
+    let refused = station.ask(anna, Request::ForgetJob { job }).unwrap_err();
     assert_eq!(
         refused.to_string(),
         format!("job {job} is running; allowed are jobs that are queued, stopped, done or failed")
     );
-    it.ask(anna, Request::ForgetJob { job: other }).unwrap();
-    assert_eq!(listed(&mut it), [(job, JobPhase::Running)]);
+    station
+        .ask(anna, Request::ForgetJob { job: other })
+        .unwrap();
+    assert_eq!(listed(&mut station), [(job, JobPhase::Running)]);
     assert!(
-        it.run_until(it.now() + Duration::from_mins(1), |station| is_over(
+        station.run_until(station.now() + Duration::from_mins(1), |station| is_over(
             station, job
         ))
     );
-    it.ask(anna, Request::ForgetJob { job }).unwrap();
-    assert_eq!(listed(&mut it), []);
-    let gone = it
+    station.ask(anna, Request::ForgetJob { job }).unwrap();
+    assert_eq!(listed(&mut station), []);
+    let gone = station
         .ask(anna, Request::QueueAgain { job, key: None })
         .unwrap_err();
     assert_eq!(gone.to_string(), format!("there is no job {job}"));

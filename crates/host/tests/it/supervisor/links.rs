@@ -18,8 +18,13 @@ use proptest::prelude::*;
 
 use super::drawing::{burnt_spiral, drawn_mm, spiral, virtual_station, wanted_mm};
 
-fn paused(it: &VirtualStation, job: u64) -> bool {
-    it.job(job).unwrap().state.to_string().starts_with("paused")
+fn paused(station: &VirtualStation, job: u64) -> bool {
+    station
+        .job(job)
+        .unwrap()
+        .state
+        .to_string()
+        .starts_with("paused")
 }
 
 proptest! {
@@ -31,32 +36,32 @@ proptest! {
         away_ms in 1_u64..10_000,
         twin in any::<bool>(),
     ) {
-        let mut it = virtual_station(Personality::ALL[usize::from(twin)]);
+        let mut station = virtual_station(Personality::ALL[usize::from(twin)]);
         let drawing = spiral(12);
-        let job = it.submit(&drawing).unwrap();
-        let anna = it.client("Anna");
-        it.ask(anna, Request::TakeLease).unwrap();
-        it.start(anna, job).unwrap();
-        it.run_for(Duration::from_millis(after_ms));
-        it.unplug();
-        it.run_for(Duration::from_millis(away_ms));
-        it.plug();
+        let job = station.submit(&drawing).unwrap();
+        let anna = station.client("Anna");
+        station.ask(anna, Request::TakeLease).unwrap();
+        station.start(anna, job).unwrap();
+        station.run_for(Duration::from_millis(after_ms));
+        station.unplug();
+        station.run_for(Duration::from_millis(away_ms));
+        station.plug();
         let is_over = |station: &VirtualStation| station.job(job).unwrap().state.is_over();
         for _ in 0..3 {
-            let minutes = it.now() + Duration::from_mins(3);
-            prop_assert!(it.run_until(minutes, |station| paused(station, job) || is_over(station)));
-            if is_over(&it) {
+            let minutes = station.now() + Duration::from_mins(3);
+            prop_assert!(station.run_until(minutes, |station| paused(station, job) || is_over(station)));
+            if is_over(&station) {
                 break;
             }
             // An arm that comes back with its base at 0 may have been reset meanwhile: a person
             // looks.
-            it.ask(anna, Request::ConfirmPose).unwrap();
-            it.start(anna, job).unwrap();
+            station.ask(anna, Request::ConfirmPose).unwrap();
+            station.start(anna, job).unwrap();
             // The journal writes that down.
-            it.run_for(Duration::from_millis(100));
+            station.run_for(Duration::from_millis(100));
         }
-        prop_assert!(is_over(&it));
-        let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
+        prop_assert!(is_over(&station));
+        let (found_mm, wanted_mm) = (drawn_mm(&station), wanted_mm(&drawing));
         prop_assert!((found_mm - wanted_mm).abs() < 0.3, "{found_mm} mm, wanted {wanted_mm} mm");
     }
 }
@@ -71,85 +76,101 @@ fn faulty(fault: &str) -> VirtualStation {
         .collect();
     let mut arm = arm.with_faults(power_up, &faults, 7);
     arm.record(RECORDING_PERIOD);
-    let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
-    it.run_for(Duration::from_secs(1));
-    it
+    let mut station = VirtualStation::with_arm(arm, power_up, Policy::default());
+    station.run_for(Duration::from_secs(1));
+    station
 }
 
 #[test]
 fn after_a_reset_the_arm_cannot_be_moved_until_its_pose_is_confirmed() {
-    let mut it = faulty("reset@10s");
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
-    let job = it.submit(&spiral(12)).unwrap();
-    it.start(anna, job).unwrap();
-    it.run_for(Duration::from_secs(20));
-    let state = it.supervisor().state();
+    let mut station = faulty("reset@10s");
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
+    let job = station.submit(&spiral(12)).unwrap();
+    station.start(anna, job).unwrap();
+    station.run_for(Duration::from_secs(20));
+    let state = station.supervisor().state();
     assert!(!state.trust.trusted, "{:?}", state.trust);
-    assert!(paused(&it, job));
-    let refused = it.start(anna, job).unwrap_err();
+    assert!(paused(&station, job));
+    let refused = station.start(anna, job).unwrap_err();
     assert!(
         refused.hint().is_some_and(|hint| hint.contains("confirm")),
         "{refused}"
     );
-    it.ask(anna, Request::ConfirmPose).unwrap();
-    assert!(it.supervisor().state().trust.trusted);
+    station.ask(anna, Request::ConfirmPose).unwrap();
+    assert!(station.supervisor().state().trust.trusted);
 }
 
 #[test]
 fn an_arm_that_goes_silent_is_reported_as_lost_and_then_as_found() {
-    let mut it = faulty("withhold@5s..12s");
-    it.run_for(Duration::from_secs(7));
-    let link = it.supervisor().state().link;
+    let mut station = faulty("withhold@5s..12s");
+    station.run_for(Duration::from_secs(7));
+    let link = station.supervisor().state().link;
     assert_eq!(link.phase, LinkPhase::Lost);
     assert!(link.remedy.is_some_and(|remedy| remedy.contains("cable")));
-    it.run_for(Duration::from_secs(10));
-    assert_eq!(it.supervisor().state().link.phase, LinkPhase::Up);
+    station.run_for(Duration::from_secs(10));
+    assert_eq!(station.supervisor().state().link.phase, LinkPhase::Up);
 }
 
 #[test]
 fn damaged_statuses_are_counted_and_the_drawing_is_still_right() {
-    let mut it = faulty("flip=0.3%:from");
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
+    let mut station = faulty("flip=0.3%:from");
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
     let drawing = spiral(12);
-    let job = it.submit(&drawing).unwrap();
-    it.start(anna, job).unwrap();
-    let minutes = it.now() + Duration::from_mins(5);
-    assert!(it.run_until(minutes, |station| station.job(job).unwrap().state.is_over()));
-    let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
+    let job = station.submit(&drawing).unwrap();
+    station.start(anna, job).unwrap();
+    let minutes = station.now() + Duration::from_mins(5);
+    assert!(station.run_until(minutes, |station| station.job(job).unwrap().state.is_over()));
+    let (found_mm, wanted_mm) = (drawn_mm(&station), wanted_mm(&drawing));
     assert!(
         (found_mm - wanted_mm).abs() < 0.3,
         "{found_mm} mm, wanted {wanted_mm} mm"
     );
-    assert!(it.supervisor().state().link.damaged_bytes > 0);
+    assert!(station.supervisor().state().link.damaged_bytes > 0);
 }
 
 /// A job that burns when something happens to the arm, and what became of it.
 fn burning_until(fault: &str) -> (VirtualStation, ClientId, u64) {
-    let mut it = faulty(fault);
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
-    let job = it.submit(&burnt_spiral(20)).unwrap();
-    it.ask(anna, Request::ArmLaser { for_s: 600.0 }).unwrap();
-    it.start(anna, job).unwrap();
-    (it, anna, job)
+    let mut station = faulty(fault);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
+    let job = station.submit(&burnt_spiral(20)).unwrap();
+    station
+        .ask(anna, Request::ArmLaser { for_s: 600.0 })
+        .unwrap();
+    station.start(anna, job).unwrap();
+    (station, anna, job)
 }
 
-fn assert_armed_anew(it: &mut VirtualStation, anna: ClientId, job: u64, what: &str) {
-    assert_eq!(it.supervisor().state().laser.armed_for_s, 0.0, "{what}");
+fn assert_armed_anew(station: &mut VirtualStation, anna: ClientId, job: u64, what: &str) {
+    assert_eq!(
+        station.supervisor().state().laser.armed_for_s,
+        0.0,
+        "{what}"
+    );
     let disarmed = |notice: &&dobot_api::Notice| notice.news == News::LaserDisarmed;
-    assert_eq!(it.notices().iter().filter(disarmed).count(), 1, "{what}");
-    let latest = it.now() + Duration::from_secs(20);
+    assert_eq!(
+        station.notices().iter().filter(disarmed).count(),
+        1,
+        "{what}"
+    );
+    let latest = station.now() + Duration::from_secs(20);
     let up = |station: &VirtualStation| {
         station.supervisor().state().link.phase == LinkPhase::Up && paused(station, job)
     };
-    assert!(it.run_until(latest, up), "{what}");
-    it.run_for(Duration::from_secs(3));
-    it.ask(anna, Request::ConfirmPose).unwrap();
-    assert_eq!(it.start(anna, job), Err(Refusal::LaserDisarmed), "{what}");
-    it.ask(anna, Request::ArmLaser { for_s: 600.0 }).unwrap();
-    it.start(anna, job).unwrap();
+    assert!(station.run_until(latest, up), "{what}");
+    station.run_for(Duration::from_secs(3));
+    station.ask(anna, Request::ConfirmPose).unwrap();
+    assert_eq!(
+        station.start(anna, job),
+        Err(Refusal::LaserDisarmed),
+        "{what}"
+    );
+    station
+        .ask(anna, Request::ArmLaser { for_s: 600.0 })
+        .unwrap();
+    station.start(anna, job).unwrap();
 }
 
 #[test]
@@ -160,29 +181,30 @@ fn a_reset_and_a_power_cut_and_silence_disarm_the_laser_until_a_person_arms_it_a
         "withhold@8s..11s",
         "close@8s..10s",
     ] {
-        let (mut it, anna, job) = burning_until(fault);
+        let (mut station, anna, job) = burning_until(fault);
         let disarmed =
             |station: &VirtualStation| station.supervisor().state().laser.armed_for_s == 0.0;
-        let latest = it.now() + Duration::from_secs(14);
-        assert!(it.run_until(latest, disarmed), "{fault}");
+        let latest = station.now() + Duration::from_secs(14);
+        assert!(station.run_until(latest, disarmed), "{fault}");
         assert!(
-            !it.supervisor()
+            !station
+                .supervisor()
                 .job()
                 .is_some_and(|job| job.phase == JobPhase::Running)
         );
-        assert_armed_anew(&mut it, anna, job, fault);
+        assert_armed_anew(&mut station, anna, job, fault);
     }
 }
 
 #[test]
 fn a_cable_that_is_pulled_disarms_the_laser() {
-    let (mut it, anna, job) = burning_until("backlash=base:0");
-    it.run_for(Duration::from_secs(7));
-    it.unplug();
-    assert_eq!(it.supervisor().state().laser.armed_for_s, 0.0);
-    it.run_for(Duration::from_millis(300));
-    it.plug();
-    assert_armed_anew(&mut it, anna, job, "cable");
+    let (mut station, anna, job) = burning_until("backlash=base:0");
+    station.run_for(Duration::from_secs(7));
+    station.unplug();
+    assert_eq!(station.supervisor().state().laser.armed_for_s, 0.0);
+    station.run_for(Duration::from_millis(300));
+    station.plug();
+    assert_armed_anew(&mut station, anna, job, "cable");
 }
 /// A status of an arm.
 fn status() -> [u8; 42] {
@@ -336,9 +358,9 @@ fn an_arm_that_is_not_found_again_is_reported_with_the_cause_of_the_loss() {
     }
     let _ = supervisor.handle_request(now, anna, Request::TakeLease);
     let answer = supervisor.handle_request(now, anna, Request::ConfirmPose);
-    let told = answer.unwrap().unwrap_err().to_string();
+    let text = answer.unwrap().unwrap_err().to_string();
     assert_eq!(
-        told,
+        text,
         "there is no link to an arm: the other end closed the link; since then: connection refused; check host and port"
     );
 }
@@ -352,12 +374,12 @@ fn the_assumed_arm_at_a_port_is_reported() {
     };
     let known = Calibrations::default().replaced_by(Some(file));
     supervisor.handle_known_calibration("serial:/dev/ttyUSB0@9600", &known);
-    let told = iter::from_fn(|| supervisor.poll_notice()).any(|notice| {
+    let found = iter::from_fn(|| supervisor.poll_notice()).any(|notice| {
         notice
             .text
             .contains("the arm at serial:/dev/ttyUSB0@9600 is assumed to be desk 3")
     });
-    assert!(told);
+    assert!(found);
 }
 
 #[test]

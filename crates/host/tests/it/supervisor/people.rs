@@ -27,56 +27,57 @@ fn two_pens(personality: Personality) -> NewJob {
 fn a_job_waits_for_the_person_once_and_continues() {
     for personality in PERSONALITIES {
         let planned = two_pens(personality);
-        let (mut it, anna, job) = started(personality, &planned);
-        wait_until_paused(&mut it, job);
-        let paused = view(&it);
+        let (mut station, anna, job) = started(personality, &planned);
+        wait_until_paused(&mut station, job);
+        let paused = view(&station);
         assert_eq!(paused.phase, JobPhase::Paused);
         assert_eq!(paused.reason.as_deref(), Some(MESSAGE));
         assert_eq!(paused.completed, planned.pauses[0].before);
-        let z_mm = it.arm().samples().last().unwrap().position.z.0;
+        let z_mm = station.arm().samples().last().unwrap().position.z.0;
         assert!(
             z_mm > DOWN_MM + 4.9,
             "{personality}: the pen is at {z_mm} mm"
         );
         assert!(
-            it.notices()
+            station
+                .notices()
                 .iter()
                 .any(|notice| notice.text.contains(MESSAGE))
         );
-        it.run_for(Duration::from_mins(1));
-        assert_eq!(view(&it).phase, JobPhase::Paused);
-        let sent = it.packets().len();
+        station.run_for(Duration::from_mins(1));
+        assert_eq!(view(&station).phase, JobPhase::Paused);
+        let sent = station.packets().len();
         for asked in [Request::StartJob { job }, Request::StepJob { job }] {
-            let refused = it.ask(anna, asked).unwrap_err();
+            let refused = station.ask(anna, asked).unwrap_err();
             assert_eq!(refused.kind(), "needs-a-person");
             assert!(refused.to_string().contains(MESSAGE), "{refused}");
         }
-        it.run_for(Duration::from_secs(1));
-        assert_eq!(it.packets().len(), sent, "{personality}");
-        it.ask(anna, Request::ConfirmJob { job }).unwrap();
-        it.ask(anna, Request::StartJob { job }).unwrap();
-        finish(&mut it, job);
+        station.run_for(Duration::from_secs(1));
+        assert_eq!(station.packets().len(), sent, "{personality}");
+        station.ask(anna, Request::ConfirmJob { job }).unwrap();
+        station.ask(anna, Request::StartJob { job }).unwrap();
+        finish(&mut station, job);
         let waited = |notice: &&Notice| {
             matches!(notice.news, News::Job { .. }) && notice.text.contains(MESSAGE)
         };
-        assert_eq!(it.notices().iter().filter(waited).count(), 1);
-        assert_drawn_once(&it, &lines(), 0.1, &personality.to_string());
+        assert_eq!(station.notices().iter().filter(waited).count(), 1);
+        assert_drawn_once(&station, &lines(), 0.1, &personality.to_string());
     }
 }
 
 #[test]
 fn a_station_that_is_killed_while_a_job_waits_does_not_wait_again() {
     for personality in PERSONALITIES {
-        let (mut it, _, job) = started(personality, &two_pens(personality));
-        wait_until_paused(&mut it, job);
-        it.crash(Duration::from_secs(1)).unwrap();
-        it.run_for(Duration::from_secs(2));
-        let anna = it.client("Anna");
-        it.ask(anna, Request::TakeLease).unwrap();
-        it.ask(anna, Request::ConfirmPose).unwrap();
-        it.start(anna, job).unwrap();
-        finish(&mut it, job);
-        assert_drawn_once(&it, &lines(), 0.1, &personality.to_string());
+        let (mut station, _, job) = started(personality, &two_pens(personality));
+        wait_until_paused(&mut station, job);
+        station.crash(Duration::from_secs(1)).unwrap();
+        station.run_for(Duration::from_secs(2));
+        let anna = station.client("Anna");
+        station.ask(anna, Request::TakeLease).unwrap();
+        station.ask(anna, Request::ConfirmPose).unwrap();
+        station.start(anna, job).unwrap();
+        finish(&mut station, job);
+        assert_drawn_once(&station, &lines(), 0.1, &personality.to_string());
     }
 }
 
@@ -85,25 +86,25 @@ fn a_station_killed_before_the_person_was_asked_still_waits() {
     for personality in PERSONALITIES {
         let planned = two_pens(personality);
         for before_ms in [0, 100, 200, 400] {
-            let (mut it, _, job) = started(personality, &planned);
-            run_to(&mut it, planned.pauses[0].before - 1);
-            it.run_for(Duration::from_millis(before_ms));
-            let told = it.job(job).unwrap().history.pauses == 1;
-            it.crash(Duration::from_secs(1)).unwrap();
-            wait_until_paused(&mut it, job);
-            let anna = it.client("Anna");
-            it.ask(anna, Request::TakeLease).unwrap();
-            it.run_for(Duration::from_secs(2));
-            it.ask(anna, Request::ConfirmPose).unwrap();
-            it.start(anna, job).unwrap();
-            if !told {
-                it.run_for(Duration::from_millis(10));
-                wait_until_paused(&mut it, job);
-                assert_eq!(view(&it).reason.as_deref(), Some(MESSAGE));
-                it.start(anna, job).unwrap();
+            let (mut station, _, job) = started(personality, &planned);
+            run_to(&mut station, planned.pauses[0].before - 1);
+            station.run_for(Duration::from_millis(before_ms));
+            let was_reported = station.job(job).unwrap().history.pauses == 1;
+            station.crash(Duration::from_secs(1)).unwrap();
+            wait_until_paused(&mut station, job);
+            let anna = station.client("Anna");
+            station.ask(anna, Request::TakeLease).unwrap();
+            station.run_for(Duration::from_secs(2));
+            station.ask(anna, Request::ConfirmPose).unwrap();
+            station.start(anna, job).unwrap();
+            if !was_reported {
+                station.run_for(Duration::from_millis(10));
+                wait_until_paused(&mut station, job);
+                assert_eq!(view(&station).reason.as_deref(), Some(MESSAGE));
+                station.start(anna, job).unwrap();
             }
-            finish(&mut it, job);
-            assert_drawn_once(&it, &lines(), 0.1, &personality.to_string());
+            finish(&mut station, job);
+            assert_drawn_once(&station, &lines(), 0.1, &personality.to_string());
         }
     }
 }
@@ -112,24 +113,24 @@ fn a_station_killed_before_the_person_was_asked_still_waits() {
 fn a_person_who_pauses_just_before_a_wait_is_still_asked() {
     let personality = Personality::Firmware11;
     let planned = two_pens(personality);
-    let (mut it, anna, job) = started(personality, &planned);
-    run_to(&mut it, planned.pauses[0].before - 1);
-    it.ask(anna, Request::PauseJob).unwrap();
-    wait_until_paused(&mut it, job);
-    if view(&it).reason.as_deref() != Some(MESSAGE) {
-        it.start(anna, job).unwrap();
-        it.run_for(Duration::from_millis(10));
-        wait_until_paused(&mut it, job);
+    let (mut station, anna, job) = started(personality, &planned);
+    run_to(&mut station, planned.pauses[0].before - 1);
+    station.ask(anna, Request::PauseJob).unwrap();
+    wait_until_paused(&mut station, job);
+    if view(&station).reason.as_deref() != Some(MESSAGE) {
+        station.start(anna, job).unwrap();
+        station.run_for(Duration::from_millis(10));
+        wait_until_paused(&mut station, job);
     }
-    assert_eq!(view(&it).reason.as_deref(), Some(MESSAGE));
-    it.start(anna, job).unwrap();
-    finish(&mut it, job);
+    assert_eq!(view(&station).reason.as_deref(), Some(MESSAGE));
+    station.start(anna, job).unwrap();
+    finish(&mut station, job);
 }
 
 #[test]
 fn a_pause_that_makes_no_sense_is_refused() {
     let personality = Personality::Specification;
-    let mut it = drawing::virtual_station(personality);
+    let mut station = drawing::virtual_station(personality);
     let pause = |before, message: &str| JobPause {
         before,
         message: message.to_owned(),
@@ -162,7 +163,7 @@ fn a_pause_that_makes_no_sense_is_refused() {
             "the job has 1001 pauses; allowed are up to 1000".into(),
         ),
     ] {
-        let refused = it
+        let refused = station
             .submit(&NewJob {
                 pauses,
                 ..planned.clone()
@@ -176,6 +177,6 @@ fn a_pause_that_makes_no_sense_is_refused() {
         program: dobot_api::JobProgram::default(),
         ..spiral
     };
-    let refused = it.submit(&moving).unwrap_err();
+    let refused = station.submit(&moving).unwrap_err();
     assert_eq!(refused.kind(), "bad-job");
 }

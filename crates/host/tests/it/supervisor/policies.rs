@@ -23,80 +23,83 @@ fn down() -> Request {
 #[test]
 fn a_command_is_judged_by_the_policy_in_force_when_it_is_given() {
     for personality in PERSONALITIES {
-        let (mut it, anna) = over(personality, 0);
-        it.set_policy(anna, low()).unwrap();
+        let (mut station, anna) = over(personality, 0);
+        station.set_policy(anna, low()).unwrap();
         assert!(
-            it.notices()
+            station
+                .notices()
                 .iter()
                 .any(|notice| notice.news == News::PolicyChanged)
         );
         let place =
             |station: &VirtualStation| station.supervisor().state().arm.unwrap().status.z_mm;
-        let z_mm = place(&it);
-        let refused = it.ask(anna, down()).unwrap_err();
+        let z_mm = place(&station);
+        let refused = station.ask(anna, down()).unwrap_err();
         assert!(refused.to_string().contains("workspace"), "{refused}");
-        it.run_for(Duration::from_secs(5));
-        assert_eq!(place(&it), z_mm);
-        it.set_policy(anna, Policy::default()).unwrap();
-        it.ask(anna, down()).unwrap();
+        station.run_for(Duration::from_secs(5));
+        assert_eq!(place(&station), z_mm);
+        station.set_policy(anna, Policy::default()).unwrap();
+        station.ask(anna, down()).unwrap();
     }
 }
 
 #[test]
 fn a_new_policy_is_refused_while_the_arm_moves_under_the_old_one() {
     for personality in PERSONALITIES {
-        let (mut it, anna) = over(personality, 0);
-        it.ask(anna, down()).unwrap();
-        it.run_for(Duration::from_millis(200));
-        let refused = it.set_policy(anna, low());
+        let (mut station, anna) = over(personality, 0);
+        station.ask(anna, down()).unwrap();
+        station.run_for(Duration::from_millis(200));
+        let refused = station.set_policy(anna, low());
         assert!(
             matches!(refused, Err(Refusal::StillMoving { .. })),
             "{refused:?}"
         );
-        it.run_for(Duration::from_secs(20));
+        station.run_for(Duration::from_secs(20));
         let jog = Jog::Linear(LinearJog::new(LinearJogAxis::YPlus, 50.0));
-        it.ask(anna, Request::Jog { jog }).unwrap();
-        it.run_for(Duration::from_millis(100));
-        let refused = it.set_policy(anna, low());
+        station.ask(anna, Request::Jog { jog }).unwrap();
+        station.run_for(Duration::from_millis(100));
+        let refused = station.set_policy(anna, low());
         assert!(
             matches!(refused, Err(Refusal::StillMoving { .. })),
             "{refused:?}"
         );
-        it.ask(anna, Request::Release).unwrap();
-        it.run_for(Duration::from_secs(2));
-        it.set_policy(anna, low()).unwrap();
+        station.ask(anna, Request::Release).unwrap();
+        station.run_for(Duration::from_secs(2));
+        station.set_policy(anna, low()).unwrap();
     }
 }
 
 #[test]
 fn only_an_administrator_changes_the_policy_and_an_armed_laser_does_not_outlive_it() {
     for personality in PERSONALITIES {
-        let (mut it, anna) = over(personality, 0);
-        let pupil = it.client_as("pupil", Role::Watch);
-        let refused = it.set_policy(pupil, low());
+        let (mut station, anna) = over(personality, 0);
+        let pupil = station.client_as("pupil", Role::Watch);
+        let refused = station.set_policy(pupil, low());
         assert!(matches!(refused, Err(Refusal::Role { .. })), "{refused:?}");
-        it.ask(anna, Request::ArmLaser { for_s: 60.0 }).unwrap();
-        it.set_policy(anna, low()).unwrap();
-        assert_eq!(it.supervisor().state().laser.armed_for_s, 0.0);
+        station
+            .ask(anna, Request::ArmLaser { for_s: 60.0 })
+            .unwrap();
+        station.set_policy(anna, low()).unwrap();
+        assert_eq!(station.supervisor().state().laser.armed_for_s, 0.0);
     }
 }
 
 /// A slow line of 180 mm, and what was sent for it.
-fn slow_line(it: &mut VirtualStation, anna: ClientId) -> usize {
+fn slow_line(station: &mut VirtualStation, anna: ClientId) -> usize {
     let slow = PlaybackAdjustment {
         speed_percent: 20.0,
         acceleration_percent: 100.0,
         teach_speed_percent: 20.0,
     };
     for command in [slow.into(), MoveTo::to(200.0, -90.0, 20.0).into()] {
-        it.ask(anna, Request::Command { command }).unwrap();
+        station.ask(anna, Request::Command { command }).unwrap();
     }
-    it.run_for(Duration::from_secs(20));
-    let before = it.packets().len();
+    station.run_for(Duration::from_secs(20));
+    let before = station.packets().len();
     let command = MoveTo::to(200.0, 90.0, 20.0)
         .with_mode(MovingMode::MovL)
         .into();
-    it.ask(anna, Request::Command { command }).unwrap();
+    station.ask(anna, Request::Command { command }).unwrap();
     before
 }
 
@@ -104,17 +107,18 @@ fn slow_line(it: &mut VirtualStation, anna: ClientId) -> usize {
 fn a_slow_straight_line_is_sent_in_pieces_if_the_policy_says_so_and_a_stop_waits_for_one_only() {
     for personality in PERSONALITIES {
         let rested_s = ["", "[queue]\nline_s = 1\n"].map(|policy| {
-            let (mut it, anna) = over(personality, 0);
-            it.set_policy(anna, Policy::from_toml(policy).unwrap())
+            let (mut station, anna) = over(personality, 0);
+            station
+                .set_policy(anna, Policy::from_toml(policy).unwrap())
                 .unwrap();
-            slow_line(&mut it, anna);
-            it.run_for(Duration::from_secs(3));
-            let at = it.now();
-            it.ask(anna, Request::Stop { reason: None }).unwrap();
-            it.run_for(Duration::from_secs(30));
-            let stop = it.supervisor().state().stop.unwrap();
+            slow_line(&mut station, anna);
+            station.run_for(Duration::from_secs(3));
+            let at = station.now();
+            station.ask(anna, Request::Stop { reason: None }).unwrap();
+            station.run_for(Duration::from_secs(30));
+            let stop = station.supervisor().state().stop.unwrap();
             assert!(stop.at_rest, "{personality}");
-            let rested = it
+            let rested = station
                 .notices()
                 .iter()
                 .find(|notice| notice.news == News::AtRest)
@@ -136,18 +140,18 @@ fn a_slow_straight_line_is_sent_in_pieces_if_the_policy_says_so_and_a_stop_waits
 #[test]
 fn a_line_in_pieces_ends_at_its_target_and_is_done_once() {
     for personality in PERSONALITIES {
-        let (mut it, anna) = over(personality, 0);
+        let (mut station, anna) = over(personality, 0);
         let policy = Policy::from_toml("[queue]\nline_s = 1\n").unwrap();
-        it.set_policy(anna, policy).unwrap();
-        let before = slow_line(&mut it, anna);
-        let first_notice = it.notices().len();
-        it.run_for(Duration::from_secs(40));
-        let sent = it.packets()[before..].len();
+        station.set_policy(anna, policy).unwrap();
+        let before = slow_line(&mut station, anna);
+        let first_notice = station.notices().len();
+        station.run_for(Duration::from_secs(40));
+        let sent = station.packets()[before..].len();
         assert!((4..=12).contains(&sent), "{personality}: {sent}");
-        let done = it.notices()[first_notice..].iter();
+        let done = station.notices()[first_notice..].iter();
         let done = done.filter(|done| matches!(done.news, News::CommandDone { .. }));
         assert_eq!(done.count(), 1, "{personality}");
-        let status = it.supervisor().state().arm.unwrap().status;
+        let status = station.supervisor().state().arm.unwrap().status;
         let off = [status.x_mm - 200.0, status.y_mm - 90.0, status.z_mm - 20.0];
         assert!(
             off.iter().all(|off| off.abs() < 0.1),

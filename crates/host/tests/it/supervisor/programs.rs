@@ -21,64 +21,64 @@ fn packet(floats: &[f32]) -> Frame {
 }
 
 /// Returns what the arm got of a program's packets, one packet for each status.
-fn got(it: &mut VirtualStation, program: ClientId, packets: &[&[f32]]) -> Vec<Frame> {
-    let before = it.packets().len();
+fn got(station: &mut VirtualStation, program: ClientId, packets: &[&[f32]]) -> Vec<Frame> {
+    let before = station.packets().len();
     for floats in packets {
-        it.send_raw(program, &packet(floats).into()).unwrap();
-        it.run_for(Duration::from_millis(100));
+        station.send_raw(program, &packet(floats).into()).unwrap();
+        station.run_for(Duration::from_millis(100));
     }
-    let sent = it.packets()[before..].iter();
+    let sent = station.packets()[before..].iter();
     sent.map(|(_, bytes)| frame(bytes)).collect()
 }
 
 #[test]
 fn a_program_of_the_pydobot_family_keeps_its_jump_height_and_learns_what_was_changed() {
-    let mut it = virtual_station(Personality::Firmware11);
-    let program = it.client("a raw program");
+    let mut station = virtual_station(Personality::Firmware11);
+    let program = station.client("a raw program");
     let start: [&[f32]; 2] = [
         &[
             9.0, 1.0, 200.0, 200.0, 200.0, 200.0, 800.0, 1000.0, 0.0, 50.0,
         ],
         &[10.0, 0.0, 100.0, 100.0, 0.0],
     ];
-    let sent = got(&mut it, program, &start);
+    let sent = got(&mut station, program, &start);
     assert_eq!(sent.len(), 2, "{sent:?}");
     assert_eq!(sent[0].float(10), 50.0, "the height of a JUMP");
     assert_eq!(sent[0].float(3), 200.0);
     assert_eq!(sent[1].float(5), 100.0, "the value in force");
     // The result of both is the policy's ceiling.
-    let policy = it.supervisor().policy();
+    let policy = station.supervisor().policy();
     let line_mm_s = f64::from(sent[0].float(7)) * f64::from(sent[1].float(3)) / 100.0;
     assert!(
         line_mm_s <= policy.speed.line_mm_s * 1.000_001,
         "{line_mm_s}"
     );
     let amended = |news: &News| matches!(news, News::Amended { .. });
-    let told = it
+    let notices = station
         .notices()
         .iter()
         .filter(|notice| amended(&notice.news))
         .count();
-    assert_eq!(told, 2);
+    assert_eq!(notices, 2);
     // A repetition is not reported again.
-    got(&mut it, program, &start[1..]);
-    got(&mut it, program, &start[1..]);
-    let told = it
+    got(&mut station, program, &start[1..]);
+    got(&mut station, program, &start[1..]);
+    let notices = station
         .notices()
         .iter()
         .filter(|notice| amended(&notice.news))
         .count();
-    assert_eq!(told, 2);
+    assert_eq!(notices, 2);
 }
 
 #[test]
 fn a_setting_above_its_ceiling_is_sent_as_the_ceiling_and_the_rest_is_unchanged() {
-    let mut it = virtual_station(Personality::Firmware11);
-    let program = it.client("a raw program");
+    let mut station = virtual_station(Personality::Firmware11);
+    let program = station.client("a raw program");
     for n in 3..=8 {
         let mut floats = [9.0, 1.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0, 0.0, 20.0];
         floats[n - 1] = 1e30;
-        let sent = got(&mut it, program, &[&floats]);
+        let sent = got(&mut station, program, &[&floats]);
         let [sent] = sent[..] else {
             panic!("{sent:?}");
         };
@@ -88,19 +88,20 @@ fn a_setting_above_its_ceiling_is_sent_as_the_ceiling_and_the_rest_is_unchanged(
             assert_eq!(sent.float(other), floats[other - 1], "{n}");
         }
     }
-    let sent = got(&mut it, program, &[&[9.0, 2.0, 1e30]]);
+    let sent = got(&mut station, program, &[&[9.0, 2.0, 1e30]]);
     assert!(sent[0].float(3) < 1e5, "{sent:?}");
-    it.send_raw(program, &packet(&[9.0, 2.0, f32::INFINITY]).into())
+    station
+        .send_raw(program, &packet(&[9.0, 2.0, f32::INFINITY]).into())
         .unwrap_err();
 }
 
 #[test]
 fn the_sliders_of_the_vendors_client_and_its_demo_for_arduino_take_effect() {
     for personality in Personality::ALL {
-        let mut it = virtual_station(personality);
-        let program = it.client("a raw program");
+        let mut station = virtual_station(personality);
+        let program = station.client("a raw program");
         let sent = got(
-            &mut it,
+            &mut station,
             program,
             &[&[10.0, 0.0, 58.0, 38.0, 0.0], &[9.0, 0.0, 50.0, 100.0]],
         );
@@ -113,18 +114,18 @@ fn the_sliders_of_the_vendors_client_and_its_demo_for_arduino_take_effect() {
 
 #[test]
 fn the_default_pause_of_the_vendors_client_is_reported_when_it_begins() {
-    let mut it = virtual_station(Personality::Specification);
-    let program = it.client("a raw program");
+    let mut station = virtual_station(Personality::Specification);
+    let program = station.client("a raw program");
     let start = [
         9.0, 1.0, 200.0, 200.0, 200.0, 200.0, 200.0, 200.0, 100.0, 20.0,
     ];
     let point = [6.0, 0.0, 9.0, 45.0, 45.0, 0.0, 0.0, 1.0];
-    got(&mut it, program, &[&start, &point]);
-    it.run_for(Duration::from_secs(5));
+    got(&mut station, program, &[&start, &point]);
+    station.run_for(Duration::from_secs(5));
     let pauses = |news: &News| matches!(news, News::Pausing { lasts_s: 100.0, .. });
-    let told = it.notices().iter().find(|notice| pauses(&notice.news));
+    let pause = station.notices().iter().find(|notice| pauses(&notice.news));
     let text = "the arm waits 100 s here: its default pause (state 9, mode 1)";
-    assert_eq!(told.map(|notice| notice.text.as_str()), Some(text));
+    assert_eq!(pause.map(|notice| notice.text.as_str()), Some(text));
 }
 
 /// Plays a program on a bare arm and at a station: they come to rest at the same positions with the
@@ -135,7 +136,7 @@ fn check(name: &str) {
     let (bare, lost) = at_a_bare_arm(&program);
     assert_eq!(lost, [], "{what}: a bare arm does all of it");
     let served = at_a_station(&program);
-    check_told(&what, &program, &served);
+    check_reports(&what, &program, &served);
     check_packets(&what, &program, &served.got);
     let places = |seen: &Seen| {
         if program.looks_ms.is_empty() {
@@ -155,9 +156,9 @@ fn check(name: &str) {
 
 /// Checks that each packet was accepted, changed or refused as the data states, and that nothing
 /// else was reported.
-fn check_told(what: &str, program: &Program, served: &Served) {
-    assert_eq!(served.told.len(), program.packets.len(), "{what}");
-    for (packet, (is_refused, texts)) in program.packets.iter().zip(&served.told) {
+fn check_reports(what: &str, program: &Program, served: &Served) {
+    assert_eq!(served.reports.len(), program.packets.len(), "{what}");
+    for (packet, (is_refused, texts)) in program.packets.iter().zip(&served.reports) {
         assert_eq!(
             *is_refused,
             packet.refused.is_some(),
@@ -169,9 +170,9 @@ fn check_told(what: &str, program: &Program, served: &Served) {
             None => assert!(texts.is_empty(), "{what}: {packet:?}: {texts:?}"),
             Some(reason) => {
                 // A repetition is not reported again.
-                let mut told = served.troubles.iter();
+                let mut reported = served.troubles.iter();
                 assert!(
-                    told.any(|text| text.contains(reason)),
+                    reported.any(|text| text.contains(reason)),
                     "{what}: {packet:?}: {texts:?}"
                 );
             }
@@ -180,7 +181,7 @@ fn check_told(what: &str, program: &Program, served: &Served) {
             assert!(is_trapped_by(program, packet), "{what}: {packet:?}");
         }
     }
-    let at_once: usize = served.told.iter().map(|(_, texts)| texts.len()).sum();
+    let at_once: usize = served.reports.iter().map(|(_, texts)| texts.len()).sum();
     assert_eq!(
         at_once,
         served.troubles.len(),
@@ -192,8 +193,8 @@ fn check_told(what: &str, program: &Program, served: &Served) {
         .iter()
         .filter(|trouble| trouble.starts_with("refused"))
     {
-        let says = |remedy: &&str| text.contains(*remedy);
-        assert!(REMEDIES.iter().any(says), "{what}: {text}");
+        let is_named = |remedy: &&str| text.contains(*remedy);
+        assert!(REMEDIES.iter().any(is_named), "{what}: {text}");
     }
 }
 

@@ -39,35 +39,35 @@ pub(crate) fn over(personality: Personality, delay_ms: u32) -> (VirtualStation, 
         let fault: Fault = format!("delay={delay_ms}ms").parse().unwrap();
         arm = arm.with_faults(power_up, &[fault], 5);
     }
-    let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
-    it.run_for(Duration::from_secs(1));
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
-    (it, anna)
+    let mut station = VirtualStation::with_arm(arm, power_up, Policy::default());
+    station.run_for(Duration::from_secs(1));
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
+    (station, anna)
 }
 
 /// A button held for this long; a refusal before that releases it.
-pub(crate) fn hold(it: &mut VirtualStation, client: ClientId, jog: Jog, ms: u64) {
+pub(crate) fn hold(station: &mut VirtualStation, client: ClientId, jog: Jog, ms: u64) {
     for _ in 0..=ms / 50 {
-        if it.ask(client, Request::Jog { jog }).is_err() {
+        if station.ask(client, Request::Jog { jog }).is_err() {
             return;
         }
-        it.run_for(Duration::from_millis(50));
+        station.run_for(Duration::from_millis(50));
     }
 }
 
 /// The positions of everything: the joints as the machine has them, x, y and z, and the gripper.
-pub(crate) fn places(it: &mut VirtualStation) -> ([f64; 4], [f64; 3], f64) {
-    it.run_for(Duration::from_secs(4));
-    let arm = it.arm();
+pub(crate) fn places(station: &mut VirtualStation) -> ([f64; 4], [f64; 3], f64) {
+    station.run_for(Duration::from_secs(4));
+    let arm = station.arm();
     let Joints {
         base,
         rear,
         fore,
         servo,
-    } = arm.mechanics().joints_at(it.now());
-    let at = arm.controller().pose_at(it.now()).position;
-    let gripper_deg = it.supervisor().state().arm.unwrap().status.gripper_deg;
+    } = arm.mechanics().joints_at(station.now());
+    let at = arm.controller().pose_at(station.now()).position;
+    let gripper_deg = station.supervisor().state().arm.unwrap().status.gripper_deg;
     (
         [base.0, rear.0, fore.0, servo.0],
         [at.x.0, at.y.0, at.z.0],
@@ -76,8 +76,10 @@ pub(crate) fn places(it: &mut VirtualStation) -> ([f64; 4], [f64; 3], f64) {
 }
 
 /// The releases that the arm got, and the presses.
-pub(crate) fn released(it: &VirtualStation, from: usize) -> Vec<f32> {
-    let frames = it.packets()[from..].iter().map(|(_, bytes)| frame(bytes));
+pub(crate) fn released(station: &VirtualStation, from: usize) -> Vec<f32> {
+    let frames = station.packets()[from..]
+        .iter()
+        .map(|(_, bytes)| frame(bytes));
     frames
         .filter(|frame| matches!(frame.float(1), 2.0 | 7.0) && frame.float(2) == 0.0)
         .map(|frame| frame.float(1))
@@ -91,11 +93,11 @@ pub(crate) fn frame(bytes: &[u8; PACKET_LEN]) -> Frame {
 /// Looks that only the axis of the button has moved, and into its direction.
 pub(crate) fn check_moved(
     what: &str,
-    it: &mut VirtualStation,
+    station: &mut VirtualStation,
     jog: Jog,
     before: ([f64; 4], [f64; 3], f64),
 ) {
-    let after = places(it);
+    let after = places(station);
     let Some(Button::Held { axis, share }) = Button::of(&jog.command()) else {
         panic!("{jog:?} moves nothing");
     };
@@ -135,15 +137,15 @@ fn state(jog: Jog) -> f32 {
 fn check_ended(delay_ms: u32, load_ms: u64, end: impl Fn(&mut VirtualStation, ClientId)) {
     for personality in Personality::ALL {
         for jog in buttons() {
-            let (mut it, anna) = over(personality, delay_ms);
-            let before = places(&mut it);
-            let from = it.packets().len();
-            it.load(Duration::from_millis(load_ms));
-            hold(&mut it, anna, jog, 600);
-            end(&mut it, anna);
+            let (mut station, anna) = over(personality, delay_ms);
+            let before = places(&mut station);
+            let from = station.packets().len();
+            station.load(Duration::from_millis(load_ms));
+            hold(&mut station, anna, jog, 600);
+            end(&mut station, anna);
             let what = format!("{personality}, {delay_ms} ms, load {load_ms} ms: {jog:?}");
-            check_moved(&what, &mut it, jog, before);
-            let found = released(&it, from);
+            check_moved(&what, &mut station, jog, before);
+            let found = released(&station, from);
             assert!(!found.is_empty(), "{what}: it was released");
             assert!(
                 found.iter().all(|found| *found == state(jog)),
@@ -158,8 +160,8 @@ const LINKS_MS: [u32; 5] = [0, 10, 30, 90, 200];
 #[test]
 fn every_button_is_released_by_its_own_kind_on_any_slow_link() {
     for delay_ms in LINKS_MS {
-        check_ended(delay_ms, 0, |it, anna| {
-            it.ask(anna, Request::Release).unwrap();
+        check_ended(delay_ms, 0, |station, anna| {
+            station.ask(anna, Request::Release).unwrap();
         });
     }
 }
@@ -167,8 +169,8 @@ fn every_button_is_released_by_its_own_kind_on_any_slow_link() {
 #[test]
 fn every_button_is_released_by_its_own_kind_by_a_slow_computer() {
     for load_ms in [90, 170, 330] {
-        check_ended(0, load_ms, |it, anna| {
-            it.ask(anna, Request::Release).unwrap();
+        check_ended(0, load_ms, |station, anna| {
+            station.ask(anna, Request::Release).unwrap();
         });
     }
 }
@@ -176,8 +178,8 @@ fn every_button_is_released_by_its_own_kind_by_a_slow_computer() {
 #[test]
 fn a_stop_releases_every_button_by_its_own_kind() {
     for (delay_ms, load_ms) in [(0, 0), (30, 0), (200, 0), (0, 170)] {
-        check_ended(delay_ms, load_ms, |it, anna| {
-            it.ask(anna, Request::Stop { reason: None }).unwrap();
+        check_ended(delay_ms, load_ms, |station, anna| {
+            station.ask(anna, Request::Stop { reason: None }).unwrap();
         });
     }
 }
@@ -191,10 +193,10 @@ fn the_button_of_a_silent_client_is_released_by_its_own_kind() {
 
 #[test]
 fn a_button_held_when_the_cable_was_pulled_is_released_by_its_own_kind() {
-    check_ended(0, 0, |it, _| {
-        it.unplug();
-        it.run_for(Duration::from_millis(100));
-        it.plug();
+    check_ended(0, 0, |station, _| {
+        station.unplug();
+        station.run_for(Duration::from_millis(100));
+        station.plug();
     });
 }
 
@@ -203,12 +205,12 @@ fn a_release_of_the_wrong_kind_from_a_client_becomes_one_of_the_right_kind() {
     let joint = Command::from(JointJog::new(JointJogAxis::Released, 0.0));
     let linear = Command::from(LinearJog::new(LinearJogAxis::Released, 0.0));
     for command in [joint, linear] {
-        check_ended(30, 0, |it, anna| {
-            it.ask(anna, Request::Command { command }).unwrap();
+        check_ended(30, 0, |station, anna| {
+            station.ask(anna, Request::Command { command }).unwrap();
         });
-        check_ended(30, 0, |it, anna| {
+        check_ended(30, 0, |station, anna| {
             let packet = command.emit(&Dialect::FIRMWARE_1_1);
-            it.send_raw(anna, &packet).unwrap();
+            station.send_raw(anna, &packet).unwrap();
         });
     }
 }
@@ -216,10 +218,10 @@ fn a_release_of_the_wrong_kind_from_a_client_becomes_one_of_the_right_kind() {
 #[test]
 fn a_stop_of_an_arm_that_was_never_jogged_releases_nothing() {
     for personality in Personality::ALL {
-        let (mut it, anna) = over(personality, 0);
-        it.ask(anna, Request::Stop { reason: None }).unwrap();
-        it.run_for(Duration::from_secs(2));
-        assert!(released(&it, 0).is_empty(), "{personality}");
+        let (mut station, anna) = over(personality, 0);
+        station.ask(anna, Request::Stop { reason: None }).unwrap();
+        station.run_for(Duration::from_secs(2));
+        assert!(released(&station, 0).is_empty(), "{personality}");
     }
 }
 
@@ -231,20 +233,20 @@ fn a_button_that_was_never_sent_moves_nothing_and_the_previous_one_is_released()
                 Jog::Joint(_) => linear(LinearJogAxis::YPlus),
                 Jog::Linear(_) => joint(JointJogAxis::BasePlus),
             };
-            let (mut it, anna) = over(personality, 0);
-            let before = places(&mut it);
-            let from = it.packets().len();
-            hold(&mut it, anna, first, 550);
-            it.ask(anna, Request::Jog { jog: first }).unwrap();
+            let (mut station, anna) = over(personality, 0);
+            let before = places(&mut station);
+            let from = station.packets().len();
+            hold(&mut station, anna, first, 550);
+            station.ask(anna, Request::Jog { jog: first }).unwrap();
             // A press uses the permit of the last status up, and the next one waits for another.
             for jog in [joint(JointJogAxis::SuctionOff), never] {
                 // A switch releases the button; an axis that still coasts may refuse the next one.
-                let _ = it.ask(anna, Request::Jog { jog });
+                let _ = station.ask(anna, Request::Jog { jog });
             }
-            it.ask(anna, Request::Release).unwrap();
+            station.ask(anna, Request::Release).unwrap();
             let what = format!("{personality}: {never:?}");
-            check_moved(&what, &mut it, first, before);
-            let found = released(&it, from);
+            check_moved(&what, &mut station, first, before);
+            let found = released(&station, from);
             assert!(!found.is_empty(), "{what}");
             assert!(
                 found.iter().all(|found| *found == state(first)),
@@ -258,7 +260,7 @@ fn a_button_that_was_never_sent_moves_nothing_and_the_previous_one_is_released()
 fn a_long_coast_is_not_mistaken_for_a_reset() {
     for personality in Personality::ALL {
         for stops in [false, true] {
-            let (mut it, anna) = over(personality, 0);
+            let (mut station, anna) = over(personality, 0);
             // As the vendor's client sets it: a joint 4 at 50 % takes 1.5 s and more to come to rest.
             let slow = Configuration::Teach {
                 joint_speed_deg_s: 30.0,
@@ -269,20 +271,23 @@ fn a_long_coast_is_not_mistaken_for_a_reset() {
                 linear_acceleration_mm_s2: 30.0,
             };
             let command = slow.into();
-            it.ask(anna, Request::Command { command }).unwrap();
-            it.run_for(Duration::from_secs(1));
-            assert_eq!(it.supervisor().state().arm.unwrap().status.base_deg, 0.0);
-            hold(&mut it, anna, joint(JointJogAxis::ServoPlus), 1900);
+            station.ask(anna, Request::Command { command }).unwrap();
+            station.run_for(Duration::from_secs(1));
+            assert_eq!(
+                station.supervisor().state().arm.unwrap().status.base_deg,
+                0.0
+            );
+            hold(&mut station, anna, joint(JointJogAxis::ServoPlus), 1900);
             if stops {
-                it.ask(anna, Request::Stop { reason: None }).unwrap();
+                station.ask(anna, Request::Stop { reason: None }).unwrap();
             } else {
-                it.ask(anna, Request::Release).unwrap();
+                station.ask(anna, Request::Release).unwrap();
             }
-            it.run_for(Duration::from_secs(5));
-            let state = it.supervisor().state();
+            station.run_for(Duration::from_secs(5));
+            let state = station.supervisor().state();
             assert!(state.trust.trusted, "{personality}: {:?}", state.trust);
-            assert!(it.supervisor().is_at_rest(), "{personality}");
-            let reset = it
+            assert!(station.supervisor().is_at_rest(), "{personality}");
+            let reset = station
                 .notices()
                 .iter()
                 .find(|notice| notice.news == News::Reset);

@@ -11,18 +11,18 @@ use super::releases::over;
 use super::strokes::PERSONALITIES;
 
 fn step(
-    it: &mut VirtualStation,
+    station: &mut VirtualStation,
     client: ClientId,
     button: Button,
     by: f32,
 ) -> Result<Reply, Refusal> {
-    it.ask(client, Request::Step { button, by })
+    station.ask(client, Request::Step { button, by })
 }
 
 /// The status once all is over.
-fn rested(it: &mut VirtualStation) -> Status {
-    it.run_for(Duration::from_secs(10));
-    it.supervisor().state().arm.unwrap().status
+fn rested(station: &mut VirtualStation) -> Status {
+    station.run_for(Duration::from_secs(10));
+    station.supervisor().state().arm.unwrap().status
 }
 
 const LEFT: Button = Button::Linear(LinearJogAxis::YPlus);
@@ -30,13 +30,19 @@ const LEFT: Button = Button::Linear(LinearJogAxis::YPlus);
 #[test]
 fn a_second_step_begins_at_the_end_of_the_first_even_if_it_uses_the_other_jog() {
     for personality in PERSONALITIES {
-        let (mut it, anna) = over(personality, 0);
-        let before = rested(&mut it);
-        step(&mut it, anna, LEFT, 10.0).unwrap();
-        step(&mut it, anna, LEFT, 10.0).unwrap();
-        it.run_for(Duration::from_millis(400));
-        step(&mut it, anna, Button::Joint(JointJogAxis::ServoPlus), 5.0).unwrap();
-        let after = rested(&mut it);
+        let (mut station, anna) = over(personality, 0);
+        let before = rested(&mut station);
+        step(&mut station, anna, LEFT, 10.0).unwrap();
+        step(&mut station, anna, LEFT, 10.0).unwrap();
+        station.run_for(Duration::from_millis(400));
+        step(
+            &mut station,
+            anna,
+            Button::Joint(JointJogAxis::ServoPlus),
+            5.0,
+        )
+        .unwrap();
+        let after = rested(&mut station);
         let moved = [
             after.x_mm - before.x_mm,
             after.y_mm - before.y_mm - 20.0,
@@ -55,7 +61,7 @@ fn a_second_step_begins_at_the_end_of_the_first_even_if_it_uses_the_other_jog() 
 #[test]
 fn pump_and_gripper_are_unchanged_by_a_step() {
     for personality in PERSONALITIES {
-        let (mut it, anna) = over(personality, 0);
+        let (mut station, anna) = over(personality, 0);
         let holds = MoveTo {
             suction: true,
             gripper_deg: 30.0,
@@ -63,15 +69,15 @@ fn pump_and_gripper_are_unchanged_by_a_step() {
             ..MoveTo::to(220.0, 0.0, 20.0)
         };
         let command = holds.into();
-        it.ask(anna, Request::Command { command }).unwrap();
+        station.ask(anna, Request::Command { command }).unwrap();
         // Also while the command that switched it on is in flight.
-        step(&mut it, anna, LEFT, 10.0).unwrap();
-        let mut status = rested(&mut it);
+        step(&mut station, anna, LEFT, 10.0).unwrap();
+        let mut status = rested(&mut station);
         for button in [LEFT, Button::Joint(JointJogAxis::BaseMinus)] {
             assert!(status.suction, "{personality}");
             assert!((status.gripper_deg - 30.0).abs() < 0.1, "{personality}");
-            step(&mut it, anna, button, 1.0).unwrap();
-            status = rested(&mut it);
+            step(&mut station, anna, button, 1.0).unwrap();
+            status = rested(&mut station);
         }
         assert!(status.suction, "{personality}");
     }
@@ -80,26 +86,27 @@ fn pump_and_gripper_are_unchanged_by_a_step() {
 #[test]
 fn a_step_is_judged_by_the_policy_and_the_lease() {
     for personality in PERSONALITIES {
-        let (mut it, anna) = over(personality, 0);
-        let packets = it.packets().len();
-        let far = step(&mut it, anna, LEFT, 100.0).and_then(|_| step(&mut it, anna, LEFT, 100.0));
-        let far = far.and_then(|_| step(&mut it, anna, LEFT, 100.0));
+        let (mut station, anna) = over(personality, 0);
+        let packets = station.packets().len();
+        let far = step(&mut station, anna, LEFT, 100.0)
+            .and_then(|_| step(&mut station, anna, LEFT, 100.0));
+        let far = far.and_then(|_| step(&mut station, anna, LEFT, 100.0));
         assert!(matches!(far, Err(Refusal::Policy(_))), "{far:?}");
-        let bert = it.client("Bert");
-        let refused = step(&mut it, bert, LEFT, 1.0);
+        let bert = station.client("Bert");
+        let refused = step(&mut station, bert, LEFT, 1.0);
         assert!(
             matches!(refused, Err(Refusal::NoLease { .. })),
             "{refused:?}"
         );
-        assert!(it.packets().len() <= packets + 2);
+        assert!(station.packets().len() <= packets + 2);
     }
 }
 
 #[test]
 fn an_invalid_step_is_refused_with_the_allowed_values() {
-    let (mut it, anna) = over(PERSONALITIES[0], 0);
+    let (mut station, anna) = over(PERSONALITIES[0], 0);
     for by in [0.0, -1.0, 100.1, f32::NAN, f32::INFINITY] {
-        let refused = step(&mut it, anna, LEFT, by).unwrap_err();
+        let refused = step(&mut station, anna, LEFT, by).unwrap_err();
         assert!(
             refused
                 .to_string()
@@ -108,7 +115,7 @@ fn an_invalid_step_is_refused_with_the_allowed_values() {
         );
     }
     let switch = Button::Joint(JointJogAxis::SuctionOn);
-    let refused = step(&mut it, anna, switch, 1.0).unwrap_err();
+    let refused = step(&mut station, anna, switch, 1.0).unwrap_err();
     assert_eq!(
         refused.to_string(),
         "the request cannot be understood: the button suction-on has no step; allowed are those of a joint, of an axis and of the servo"
@@ -118,16 +125,16 @@ fn an_invalid_step_is_refused_with_the_allowed_values() {
 #[test]
 fn a_step_after_a_released_button_is_refused_until_the_arm_is_at_rest() {
     for personality in PERSONALITIES {
-        let (mut it, anna) = over(personality, 0);
+        let (mut station, anna) = over(personality, 0);
         let jog = dobot_api::Jog::Joint(JointJog::new(JointJogAxis::BasePlus, 50.0));
-        super::releases::hold(&mut it, anna, jog, 500);
-        it.ask(anna, Request::Release).unwrap();
-        let refused = step(&mut it, anna, LEFT, 1.0);
+        super::releases::hold(&mut station, anna, jog, 500);
+        station.ask(anna, Request::Release).unwrap();
+        let refused = step(&mut station, anna, LEFT, 1.0);
         assert!(
             matches!(refused, Err(Refusal::StillMoving { .. })),
             "{refused:?}"
         );
-        rested(&mut it);
-        step(&mut it, anna, LEFT, 1.0).unwrap();
+        rested(&mut station);
+        step(&mut station, anna, LEFT, 1.0).unwrap();
     }
 }

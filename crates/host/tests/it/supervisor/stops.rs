@@ -19,8 +19,8 @@ fn target(y_mm: f32) -> Request {
 }
 
 /// Returns the commands put on the wire since then.
-fn sent_since(it: &VirtualStation, since: usize) -> Vec<Command> {
-    let packets = it.packets()[since..].iter();
+fn sent_since(station: &VirtualStation, since: usize) -> Vec<Command> {
+    let packets = station.packets()[since..].iter();
     let frame = |bytes: &[u8; 42]| Packet::from_bytes(bytes).expect("the station sends packets");
     packets
         .map(|(_, bytes)| Command::parse(&frame(bytes), &Dialect::FIRMWARE_1_1).unwrap())
@@ -32,20 +32,20 @@ const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOf
 #[test]
 fn the_first_packet_after_a_stop_is_laser_off_and_is_sent_immediately() {
     for stop_ms in (3_300..3_500).step_by(10) {
-        let mut it = virtual_station(Personality::Firmware11);
-        let (anna, ben) = (it.client("Anna"), it.client("Ben"));
-        it.ask(anna, Request::TakeLease).unwrap();
-        let job = it.submit(&spiral(12)).unwrap();
-        it.start(anna, job).unwrap();
-        it.run_for(Duration::from_millis(stop_ms));
-        let (before, at) = (it.packets().len(), it.now());
-        it.ask(ben, STOP).unwrap();
-        assert_eq!(sent_since(&it, before)[0], LASER_OFF);
-        assert_eq!(it.packets()[before].0, at, "after {stop_ms} ms");
+        let mut station = virtual_station(Personality::Firmware11);
+        let (anna, ben) = (station.client("Anna"), station.client("Ben"));
+        station.ask(anna, Request::TakeLease).unwrap();
+        let job = station.submit(&spiral(12)).unwrap();
+        station.start(anna, job).unwrap();
+        station.run_for(Duration::from_millis(stop_ms));
+        let (before, at) = (station.packets().len(), station.now());
+        station.ask(ben, STOP).unwrap();
+        assert_eq!(sent_since(&station, before)[0], LASER_OFF);
+        assert_eq!(station.packets()[before].0, at, "after {stop_ms} ms");
         // A packet sent just before may have corrupted it: it is repeated.
-        it.run_for(Duration::from_secs(10));
-        let said = sent_since(&it, before);
-        assert!(said.iter().filter(|command| **command == LASER_OFF).count() >= 2);
+        station.run_for(Duration::from_secs(10));
+        let sent = sent_since(&station, before);
+        assert!(sent.iter().filter(|command| **command == LASER_OFF).count() >= 2);
     }
 }
 
@@ -53,19 +53,19 @@ fn the_first_packet_after_a_stop_is_laser_off_and_is_sent_immediately() {
 fn a_stop_right_after_the_release_of_a_button_also_switches_the_laser_off() {
     for personality in Personality::ALL {
         for (presses, later_ms) in [(1, 5), (2, 0), (2, 5), (2, 30), (2, 60), (8, 5), (8, 200)] {
-            let mut it = virtual_station(personality);
-            let anna = it.client("Anna");
-            it.ask(anna, Request::TakeLease).unwrap();
+            let mut station = virtual_station(personality);
+            let anna = station.client("Anna");
+            station.ask(anna, Request::TakeLease).unwrap();
             let jog = Jog::Joint(JointJog::new(JointJogAxis::BasePlus, 30.0));
             for _ in 0..presses {
-                it.ask(anna, Request::Jog { jog }).unwrap();
-                it.run_for(Duration::from_millis(60));
+                station.ask(anna, Request::Jog { jog }).unwrap();
+                station.run_for(Duration::from_millis(60));
             }
-            it.ask(anna, Request::Release).unwrap();
-            it.run_for(Duration::from_millis(later_ms));
-            let before = it.packets().len();
-            it.ask(anna, Request::Stop { reason: None }).unwrap();
-            let sent = sent_since(&it, before);
+            station.ask(anna, Request::Release).unwrap();
+            station.run_for(Duration::from_millis(later_ms));
+            let before = station.packets().len();
+            station.ask(anna, Request::Stop { reason: None }).unwrap();
+            let sent = sent_since(&station, before);
             assert!(
                 matches!(
                     sent[..],
@@ -77,10 +77,10 @@ fn a_stop_right_after_the_release_of_a_button_also_switches_the_laser_off() {
                 "{personality}, {presses} presses, {later_ms} ms: {sent:?}"
             );
             // The release, which the laser's packet may have damaged on the line, is repeated.
-            it.run_for(Duration::from_secs(2));
+            station.run_for(Duration::from_secs(2));
             let again = |command: &Command| matches!(command, Command::JointJog(jog) if jog.axis == JointJogAxis::Released);
             assert!(
-                sent_since(&it, before).iter().any(again),
+                sent_since(&station, before).iter().any(again),
                 "{personality}, {later_ms} ms"
             );
         }
@@ -89,32 +89,35 @@ fn a_stop_right_after_the_release_of_a_button_also_switches_the_laser_off() {
 
 #[test]
 fn a_stopped_arm_refuses_everything_until_a_person_resets_the_stop() {
-    let mut it = virtual_station(Personality::Firmware11);
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
+    let mut station = virtual_station(Personality::Firmware11);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
     let reason = Some("a hand".to_owned());
-    it.ask(anna, Request::Stop { reason }).unwrap();
-    let refused = it.ask(anna, target(20.0)).unwrap_err();
+    station.ask(anna, Request::Stop { reason }).unwrap();
+    let refused = station.ask(anna, target(20.0)).unwrap_err();
     assert_eq!(refused.to_string(), "the arm was stopped by Anna: a hand");
-    it.run_for(Duration::from_mins(1));
-    assert_eq!(it.ask(anna, target(20.0)).unwrap_err().kind(), "stopped");
-    it.ask(anna, Request::ResetStop).unwrap();
-    it.ask(anna, target(20.0)).unwrap();
+    station.run_for(Duration::from_mins(1));
+    assert_eq!(
+        station.ask(anna, target(20.0)).unwrap_err().kind(),
+        "stopped"
+    );
+    station.ask(anna, Request::ResetStop).unwrap();
+    station.ask(anna, target(20.0)).unwrap();
 }
 
 #[test]
 fn a_stop_cannot_be_reset_while_the_arm_is_moving() {
-    let mut it = virtual_station(Personality::Firmware11);
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
-    it.ask(anna, target(100.0)).unwrap();
-    it.run_for(Duration::from_millis(800));
-    it.ask(anna, STOP).unwrap();
+    let mut station = virtual_station(Personality::Firmware11);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
+    station.ask(anna, target(100.0)).unwrap();
+    station.run_for(Duration::from_millis(800));
+    station.ask(anna, STOP).unwrap();
     assert_eq!(
-        it.ask(anna, Request::ResetStop).unwrap_err().kind(),
+        station.ask(anna, Request::ResetStop).unwrap_err().kind(),
         "still-moving"
     );
-    let minute = it.now() + Duration::from_mins(1);
+    let minute = station.now() + Duration::from_mins(1);
     let at_rest = |station: &VirtualStation| {
         station
             .supervisor()
@@ -122,77 +125,77 @@ fn a_stop_cannot_be_reset_while_the_arm_is_moving() {
             .stop
             .is_some_and(|stop| stop.at_rest)
     };
-    assert!(it.run_until(minute, at_rest));
-    it.ask(anna, Request::ResetStop).unwrap();
+    assert!(station.run_until(minute, at_rest));
+    station.ask(anna, Request::ResetStop).unwrap();
 }
 
 #[test]
 fn queued_packets_are_never_sent_after_a_stop() {
-    let mut it = virtual_station(Personality::Firmware11);
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
+    let mut station = virtual_station(Personality::Firmware11);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
     for y_mm in [100.0, -100.0, 100.0, -100.0, 100.0] {
-        it.ask(anna, target(y_mm)).unwrap();
+        station.ask(anna, target(y_mm)).unwrap();
     }
-    it.run_for(Duration::from_millis(500));
-    let before = it.packets().len();
-    it.ask(anna, STOP).unwrap();
-    it.run_for(Duration::from_mins(1));
-    let moved = sent_since(&it, before)
+    station.run_for(Duration::from_millis(500));
+    let before = station.packets().len();
+    station.ask(anna, STOP).unwrap();
+    station.run_for(Duration::from_mins(1));
+    let moved = sent_since(&station, before)
         .into_iter()
         .filter(|command| matches!(command, Command::MoveTo(_)))
         .count();
     assert_eq!(moved, 0);
     let failed = |notice: &&dobot_api::Notice| matches!(notice.news, News::CommandFailed { .. });
-    assert!(it.notices().iter().filter(failed).count() >= 3);
+    assert!(station.notices().iter().filter(failed).count() >= 3);
 }
 
 #[test]
 fn the_arm_rests_within_the_promised_time_after_a_stop_at_any_moment() {
     for eighth in 1..40 {
-        let mut it = virtual_station(Personality::Firmware11);
-        let anna = it.client("Anna");
-        it.ask(anna, Request::TakeLease).unwrap();
-        let job = it.submit(&spiral(12)).unwrap();
-        it.start(anna, job).unwrap();
-        it.run_for(Duration::from_millis(125 * eighth));
-        it.ask(anna, STOP).unwrap();
-        let stop = it.supervisor().state().stop.unwrap();
+        let mut station = virtual_station(Personality::Firmware11);
+        let anna = station.client("Anna");
+        station.ask(anna, Request::TakeLease).unwrap();
+        let job = station.submit(&spiral(12)).unwrap();
+        station.start(anna, job).unwrap();
+        station.run_for(Duration::from_millis(125 * eighth));
+        station.ask(anna, STOP).unwrap();
+        let stop = station.supervisor().state().stop.unwrap();
         let promised = Duration::from_secs_f64(stop.rests_by_s);
-        it.run_until(promised, |_| false);
-        let there = it.arm().mechanics().joints_at(it.now());
-        it.run_for(Duration::from_secs(30));
-        let later = it.arm().mechanics().joints_at(it.now());
+        station.run_until(promised, |_| false);
+        let there = station.arm().mechanics().joints_at(station.now());
+        station.run_for(Duration::from_secs(30));
+        let later = station.arm().mechanics().joints_at(station.now());
         assert_eq!(there, later, "stopped after {eighth} eighths of a second");
     }
 }
 
 /// A station whose cable is pulled while a button is held.
 fn unplugged_in_a_jog(personality: Personality) -> (VirtualStation, ClientId) {
-    let mut it = virtual_station(personality);
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
+    let mut station = virtual_station(personality);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
     let jog = Jog::Joint(JointJog::new(JointJogAxis::BasePlus, 30.0));
     for _ in 0..10 {
-        it.ask(anna, Request::Jog { jog }).unwrap();
-        it.run_for(Duration::from_millis(50));
+        station.ask(anna, Request::Jog { jog }).unwrap();
+        station.run_for(Duration::from_millis(50));
     }
-    it.unplug();
-    it.run_for(Duration::from_millis(600));
-    (it, anna)
+    station.unplug();
+    station.run_for(Duration::from_millis(600));
+    (station, anna)
 }
 
-fn notices_with(it: &VirtualStation, text: &str) -> usize {
+fn notices_with(station: &VirtualStation, text: &str) -> usize {
     let has = |notice: &&Notice| notice.text.contains(text);
-    it.notices().iter().filter(has).count()
+    station.notices().iter().filter(has).count()
 }
 
 #[test]
 fn a_stop_without_a_link_is_reported_as_not_delivered_until_it_is() {
     for personality in Personality::ALL {
-        let (mut it, anna) = unplugged_in_a_jog(personality);
-        let ben = it.client("Ben");
-        let reply = it.ask(ben, STOP).unwrap();
+        let (mut station, anna) = unplugged_in_a_jog(personality);
+        let ben = station.client("Ben");
+        let reply = station.ask(ben, STOP).unwrap();
         assert!(
             matches!(
                 reply,
@@ -203,38 +206,44 @@ fn a_stop_without_a_link_is_reported_as_not_delivered_until_it_is() {
             ),
             "{reply:?}"
         );
-        assert!(!it.supervisor().state().stop.unwrap().delivered);
-        it.run_for(Duration::from_secs(5));
-        assert!(notices_with(&it, "NOT DELIVERED") >= 5, "{personality}");
+        assert!(!station.supervisor().state().stop.unwrap().delivered);
+        station.run_for(Duration::from_secs(5));
+        assert!(
+            notices_with(&station, "NOT DELIVERED") >= 5,
+            "{personality}"
+        );
         // It is unknown whether the arm is at rest.
-        let refused = it.ask(anna, Request::ResetStop).unwrap_err();
+        let refused = station.ask(anna, Request::ResetStop).unwrap_err();
         assert_eq!(refused.kind(), "no-link");
-        let before = it.packets().len();
-        it.plug();
-        it.run_for(Duration::from_secs(1));
-        assert_eq!(sent_since(&it, before)[0], LASER_OFF, "{personality}");
-        assert!(it.supervisor().state().stop.unwrap().delivered);
-        assert_eq!(notices_with(&it, "the stop has been delivered"), 1);
-        it.run_for(Duration::from_secs(5));
-        it.ask(anna, Request::ResetStop).unwrap();
+        let before = station.packets().len();
+        station.plug();
+        station.run_for(Duration::from_secs(1));
+        assert_eq!(sent_since(&station, before)[0], LASER_OFF, "{personality}");
+        assert!(station.supervisor().state().stop.unwrap().delivered);
+        assert_eq!(notices_with(&station, "the stop has been delivered"), 1);
+        station.run_for(Duration::from_secs(5));
+        station.ask(anna, Request::ResetStop).unwrap();
     }
 }
 
 #[test]
 fn a_release_and_laser_off_without_a_link_are_refused_as_not_delivered() {
     for personality in Personality::ALL {
-        let (mut it, anna) = unplugged_in_a_jog(personality);
+        let (mut station, anna) = unplugged_in_a_jog(personality);
         for asked in [Request::Release, Request::DisarmLaser] {
-            assert_eq!(it.ask(anna, asked).unwrap_err().kind(), "not-delivered");
+            assert_eq!(
+                station.ask(anna, asked).unwrap_err().kind(),
+                "not-delivered"
+            );
         }
     }
 }
 
 #[test]
 fn a_stop_with_a_link_is_delivered() {
-    let mut it = virtual_station(Personality::Firmware11);
-    let anna = it.client("Anna");
-    let reply = it.ask(anna, STOP).unwrap();
+    let mut station = virtual_station(Personality::Firmware11);
+    let anna = station.client("Anna");
+    let reply = station.ask(anna, STOP).unwrap();
     assert!(
         matches!(
             reply,
@@ -245,7 +254,7 @@ fn a_stop_with_a_link_is_delivered() {
         ),
         "{reply:?}"
     );
-    assert!(it.supervisor().state().stop.unwrap().delivered);
+    assert!(station.supervisor().state().stop.unwrap().delivered);
 }
 
 fn fire_drill() -> StoppedBy {
@@ -265,8 +274,8 @@ fn two_stations() -> (VirtualStation, VirtualStation, ClientId) {
 }
 
 /// No motion was put on the wire since then.
-fn moved_since(it: &VirtualStation, since: usize) -> bool {
-    let sent = sent_since(it, since);
+fn moved_since(station: &VirtualStation, since: usize) -> bool {
+    let sent = sent_since(station, since);
     sent.iter().any(
         |command| !matches!(command, Command::JointJog(jog) if jog.speed_percent == 0.0 || *command == LASER_OFF),
     )
@@ -298,16 +307,19 @@ fn a_fleet_stop_holds_through_a_restart_of_every_station() {
     let (mut one, mut other, _) = two_stations();
     let stop = one.stop_fleet("desk-1", fire_drill());
     other.adopt_fleet_stops(&[stop]);
-    for it in [&mut one, &mut other] {
-        it.run_for(Duration::from_secs(10));
-        it.crash(Duration::from_secs(2)).unwrap();
-        it.run_for(Duration::from_secs(1));
-        let anna = it.client("Anna");
-        it.ask(anna, Request::TakeLease).unwrap();
-        let before = it.packets().len();
-        assert_eq!(it.ask(anna, target(20.0)).unwrap_err().kind(), "stopped");
-        it.run_for(Duration::from_secs(10));
-        assert!(!moved_since(it, before));
+    for station in [&mut one, &mut other] {
+        station.run_for(Duration::from_secs(10));
+        station.crash(Duration::from_secs(2)).unwrap();
+        station.run_for(Duration::from_secs(1));
+        let anna = station.client("Anna");
+        station.ask(anna, Request::TakeLease).unwrap();
+        let before = station.packets().len();
+        assert_eq!(
+            station.ask(anna, target(20.0)).unwrap_err().kind(),
+            "stopped"
+        );
+        station.run_for(Duration::from_secs(10));
+        assert!(!moved_since(station, before));
     }
 }
 

@@ -69,60 +69,69 @@ pub(crate) fn arm_limits(personality: Personality) -> ArmLimits {
 
 /// A station, a client that has control, and a running job.
 pub(crate) fn started(personality: Personality, job: &NewJob) -> (VirtualStation, ClientId, u64) {
-    let mut it = virtual_station(personality);
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
-    let id = it.submit(job).unwrap();
-    it.start(anna, id).unwrap();
-    (it, anna, id)
+    let mut station = virtual_station(personality);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
+    let id = station.submit(job).unwrap();
+    station.start(anna, id).unwrap();
+    (station, anna, id)
 }
 
-pub(crate) fn view(it: &VirtualStation) -> JobView {
-    it.supervisor().job().unwrap()
+pub(crate) fn view(station: &VirtualStation) -> JobView {
+    station.supervisor().job().unwrap()
 }
 
-pub(crate) fn is_paused(it: &VirtualStation, job: u64) -> bool {
-    it.job(job).unwrap().state.to_string().starts_with("paused")
+pub(crate) fn is_paused(station: &VirtualStation, job: u64) -> bool {
+    station
+        .job(job)
+        .unwrap()
+        .state
+        .to_string()
+        .starts_with("paused")
 }
 
-pub(crate) fn wait_until_paused(it: &mut VirtualStation, job: u64) {
+pub(crate) fn wait_until_paused(station: &mut VirtualStation, job: u64) {
     // A job that was started a moment ago is so for the journal soon.
-    it.run_for(Duration::from_millis(10));
-    let minute = it.now() + Duration::from_secs(60);
+    station.run_for(Duration::from_millis(10));
+    let minute = station.now() + Duration::from_secs(60);
     assert!(
-        it.run_until(minute, |station| is_paused(station, job)),
+        station.run_until(minute, |station| is_paused(station, job)),
         "{:?}",
-        it.job(job).map(|j| j.state)
+        station.job(job).map(|j| j.state)
     );
 }
 
-pub(crate) fn finish(it: &mut VirtualStation, job: u64) {
-    let minutes = it.now() + Duration::from_secs(600);
+pub(crate) fn finish(station: &mut VirtualStation, job: u64) {
+    let minutes = station.now() + Duration::from_secs(600);
     assert!(
-        it.run_until(minutes, |station| is_over(station, job)),
+        station.run_until(minutes, |station| is_over(station, job)),
         "{:?}",
-        it.supervisor().job()
+        station.supervisor().job()
     );
-    assert_eq!(it.job(job).unwrap().state.to_string(), "done");
+    assert_eq!(station.job(job).unwrap().state.to_string(), "done");
 }
 
 /// Runs the job until this many of its commands are over.
-pub(crate) fn run_to(it: &mut VirtualStation, command: usize) {
-    let minutes = it.now() + Duration::from_secs(600);
+pub(crate) fn run_to(station: &mut VirtualStation, command: usize) {
+    let minutes = station.now() + Duration::from_secs(600);
     let there = |station: &VirtualStation| {
         station
             .supervisor()
             .job()
             .is_some_and(|job| job.completed >= command)
     };
-    assert!(it.run_until(minutes, there), "{:?}", it.supervisor().job());
+    assert!(
+        station.run_until(minutes, there),
+        "{:?}",
+        station.supervisor().job()
+    );
 }
 
 /// Returns the ink of the pen on the paper.
-pub(crate) fn drawn(it: &VirtualStation) -> Vec<Stroke> {
+pub(crate) fn drawn(station: &VirtualStation) -> Vec<Stroke> {
     let mut strokes: Vec<Stroke> = Vec::new();
     let mut was_down = false;
-    for at in it.arm().samples().iter().map(|sample| sample.position) {
+    for at in station.arm().samples().iter().map(|sample| sample.position) {
         let is_down = at.z.0 <= DOWN_MM + 0.05;
         if is_down && !was_down {
             strokes.push(Stroke::default());
@@ -143,12 +152,12 @@ pub(crate) fn length_mm(strokes: &[Stroke]) -> f64 {
 
 /// The path was drawn, once, and nothing else.
 pub(crate) fn assert_drawn_once(
-    it: &VirtualStation,
+    station: &VirtualStation,
     wanted: &[Stroke],
     allowed_mm: f64,
     what: &str,
 ) {
-    let drawn = drawn(it);
+    let drawn = drawn(station);
     let Deviation { astray, missed } = deviation(wanted, &drawn);
     assert!(
         astray.distance_mm < allowed_mm && missed.distance_mm < allowed_mm,
@@ -180,13 +189,13 @@ fn roughest_mm_s(samples: &[Sample]) -> f64 {
 
 /// As rough as an undisturbed drawing is.
 fn usual_roughness_mm_s(personality: Personality) -> f64 {
-    let (mut it, _, job) = started(personality, &pen_job(personality, &[(spiral(), None)]));
-    finish(&mut it, job);
-    roughest_mm_s(it.arm().samples())
+    let (mut station, _, job) = started(personality, &pen_job(personality, &[(spiral(), None)]));
+    finish(&mut station, job);
+    roughest_mm_s(station.arm().samples())
 }
 
-fn assert_smooth(it: &VirtualStation, usual_mm_s: f64, what: &str) {
-    let found_mm_s = roughest_mm_s(it.arm().samples());
+fn assert_smooth(station: &VirtualStation, usual_mm_s: f64, what: &str) {
+    let found_mm_s = roughest_mm_s(station.arm().samples());
     let allowed_mm_s = 1.5 * usual_mm_s + 2.0;
     assert!(
         found_mm_s < allowed_mm_s,
@@ -212,10 +221,10 @@ fn a_long_drawing_ends_at_its_place_despite_the_rounding_of_a_stock_arm() {
         pauses: Vec::new(),
         program: dobot_api::JobProgram::default(),
     };
-    let (mut it, _, job) = started(personality, &planned);
-    let hours = it.now() + Duration::from_secs(7200);
-    assert!(it.run_until(hours, |station| is_over(station, job)));
-    assert_eq!(it.job(job).unwrap().state.to_string(), "done");
+    let (mut station, _, job) = started(personality, &planned);
+    let hours = station.now() + Duration::from_secs(7200);
+    assert!(station.run_until(hours, |station| is_over(station, job)));
+    assert_eq!(station.job(job).unwrap().state.to_string(), "done");
 }
 
 #[test]
@@ -223,22 +232,22 @@ fn a_pause_in_a_stroke_brakes_lifts_and_resumes_from_rest() {
     for personality in PERSONALITIES {
         let usual_mm_s = usual_roughness_mm_s(personality);
         let planned = pen_job(personality, &[(spiral(), None)]);
-        let (mut it, anna, job) = started(personality, &planned);
+        let (mut station, anna, job) = started(personality, &planned);
         for command in [20, 45, 46, 90] {
-            run_to(&mut it, command);
-            it.ask(anna, Request::PauseJob).unwrap();
-            wait_until_paused(&mut it, job);
-            let z_mm = it.arm().samples().last().unwrap().position.z.0;
+            run_to(&mut station, command);
+            station.ask(anna, Request::PauseJob).unwrap();
+            wait_until_paused(&mut station, job);
+            let z_mm = station.arm().samples().last().unwrap().position.z.0;
             assert!(
                 (z_mm - DOWN_MM - 5.0).abs() < 0.1,
                 "{personality}: {z_mm} mm"
             );
-            it.start(anna, job).unwrap();
+            station.start(anna, job).unwrap();
         }
-        finish(&mut it, job);
+        finish(&mut station, job);
         let what = personality.to_string();
-        assert_smooth(&it, usual_mm_s, &what);
-        assert_drawn_once(&it, &[spiral()], 0.1, &what);
+        assert_smooth(&station, usual_mm_s, &what);
+        assert_drawn_once(&station, &[spiral()], 0.1, &what);
     }
 }
 
@@ -246,14 +255,14 @@ fn a_pause_in_a_stroke_brakes_lifts_and_resumes_from_rest() {
 fn a_pen_does_not_rest_on_the_paper_when_a_job_is_paused() {
     for personality in PERSONALITIES {
         let planned = pen_job(personality, &[(spiral(), None)]);
-        let (mut it, anna, job) = started(personality, &planned);
-        run_to(&mut it, 45);
-        it.ask(anna, Request::PauseJob).unwrap();
-        wait_until_paused(&mut it, job);
-        it.run_for(Duration::from_secs(3));
-        it.start(anna, job).unwrap();
-        finish(&mut it, job);
-        let longest_s = longest_stand_s(it.arm().samples());
+        let (mut station, anna, job) = started(personality, &planned);
+        run_to(&mut station, 45);
+        station.ask(anna, Request::PauseJob).unwrap();
+        wait_until_paused(&mut station, job);
+        station.run_for(Duration::from_secs(3));
+        station.start(anna, job).unwrap();
+        finish(&mut station, job);
+        let longest_s = longest_stand_s(station.arm().samples());
         assert!(longest_s < 0.2, "{personality}: {longest_s} s");
     }
 }
@@ -263,8 +272,8 @@ fn longest_stand_s(samples: &[Sample]) -> f64 {
     let mut longest_s: f64 = 0.0;
     let mut since = samples[0];
     for sample in samples {
-        let stands = sample.position.distance(since.position).0 < 0.05;
-        if !stands || sample.position.z.0 > DOWN_MM + 0.05 {
+        let is_there = sample.position.distance(since.position).0 < 0.05;
+        if !is_there || sample.position.z.0 > DOWN_MM + 0.05 {
             since = *sample;
         }
         longest_s = longest_s.max(sample.at.saturating_sub(since.at).as_secs_f64());
@@ -278,17 +287,17 @@ fn a_job_at_half_the_speed_takes_twice_as_long_and_draws_the_same() {
         let line = Stroke::open(vec![Point::new(200.0, -90.0), Point::new(200.0, 90.0)]);
         let took_s = |percent: f64| {
             let planned = pen_job(personality, &[(line.clone(), None)]);
-            let (mut it, anna, job) = started(personality, &planned);
-            it.ask(anna, Request::SetJobSpeed { percent }).unwrap();
-            assert_eq!(view(&it).speed_percent, percent);
-            finish(&mut it, job);
+            let (mut station, anna, job) = started(personality, &planned);
+            station.ask(anna, Request::SetJobSpeed { percent }).unwrap();
+            assert_eq!(view(&station).speed_percent, percent);
+            finish(&mut station, job);
             assert_drawn_once(
-                &it,
+                &station,
                 std::slice::from_ref(&line),
                 0.1,
                 &personality.to_string(),
             );
-            drawing_s(it.arm().samples())
+            drawing_s(station.arm().samples())
         };
         let planned_s = took_s(100.0);
         for (percent, least, most) in [(50.0, 1.85, 2.05), (10.0, 8.5, 10.2), (200.0, 0.4, 0.85)] {
@@ -317,7 +326,7 @@ fn a_speed_change_in_a_stroke_is_smooth_and_draws_the_same() {
     for personality in PERSONALITIES {
         let usual_mm_s = usual_roughness_mm_s(personality);
         let planned = pen_job(personality, &[(spiral(), None)]);
-        let (mut it, anna, job) = started(personality, &planned);
+        let (mut station, anna, job) = started(personality, &planned);
         for (command, percent) in [
             (20, 150.0),
             (40, 30.0),
@@ -325,13 +334,13 @@ fn a_speed_change_in_a_stroke_is_smooth_and_draws_the_same() {
             (100, 10.0),
             (110, 100.0),
         ] {
-            run_to(&mut it, command);
-            it.ask(anna, Request::SetJobSpeed { percent }).unwrap();
+            run_to(&mut station, command);
+            station.ask(anna, Request::SetJobSpeed { percent }).unwrap();
         }
-        finish(&mut it, job);
+        finish(&mut station, job);
         let what = personality.to_string();
-        assert_smooth(&it, usual_mm_s, &what);
-        assert_drawn_once(&it, &[spiral()], 0.1, &what);
+        assert_smooth(&station, usual_mm_s, &what);
+        assert_drawn_once(&station, &[spiral()], 0.1, &what);
     }
 }
 
@@ -339,29 +348,31 @@ fn a_speed_change_in_a_stroke_is_smooth_and_draws_the_same() {
 fn a_drawing_killed_lowered_and_paused_in_its_strokes_stays_on_its_lines() {
     for personality in PERSONALITIES {
         let passes = [(spiral(), None), (spiral(), None)];
-        let (mut it, _, job) = started(personality, &pen_job(personality, &passes));
+        let (mut station, _, job) = started(personality, &pen_job(personality, &passes));
         for command in [30, 70, 110, 160, 230] {
-            run_to(&mut it, command);
-            it.crash(Duration::from_millis(300)).unwrap();
-            let anna = it.client("Anna");
-            it.ask(anna, Request::TakeLease).unwrap();
-            wait_until_paused(&mut it, job);
-            it.run_for(Duration::from_secs(3));
-            it.ask(anna, Request::ConfirmPose).unwrap();
-            it.start(anna, job).unwrap();
-            run_to(&mut it, command + 15);
+            run_to(&mut station, command);
+            station.crash(Duration::from_millis(300)).unwrap();
+            let anna = station.client("Anna");
+            station.ask(anna, Request::TakeLease).unwrap();
+            wait_until_paused(&mut station, job);
+            station.run_for(Duration::from_secs(3));
+            station.ask(anna, Request::ConfirmPose).unwrap();
+            station.start(anna, job).unwrap();
+            run_to(&mut station, command + 15);
             let offset_mm = -0.001 * f64::from(u16::try_from(command).unwrap());
-            it.ask(anna, Request::SetJobHeight { offset_mm }).unwrap();
-            it.ask(anna, Request::PauseJob).unwrap();
-            wait_until_paused(&mut it, job);
-            it.start(anna, job).unwrap();
+            station
+                .ask(anna, Request::SetJobHeight { offset_mm })
+                .unwrap();
+            station.ask(anna, Request::PauseJob).unwrap();
+            wait_until_paused(&mut station, job);
+            station.start(anna, job).unwrap();
         }
-        finish(&mut it, job);
+        finish(&mut station, job);
         let what = personality.to_string();
-        let Deviation { astray, missed } = deviation(&[spiral()], &drawn(&it));
+        let Deviation { astray, missed } = deviation(&[spiral()], &drawn(&station));
         let off_mm = astray.distance_mm.max(missed.distance_mm);
         assert!(off_mm < 0.1, "{what}: {off_mm} mm off");
-        let (found_mm, wanted_mm) = (length_mm(&drawn(&it)), 2.0 * length_mm(&[spiral()]));
+        let (found_mm, wanted_mm) = (length_mm(&drawn(&station)), 2.0 * length_mm(&[spiral()]));
         assert!(
             (found_mm - wanted_mm).abs() < 0.01 * wanted_mm,
             "{what}: {found_mm} mm were drawn, wanted are {wanted_mm} mm"
@@ -373,14 +384,14 @@ fn a_drawing_killed_lowered_and_paused_in_its_strokes_stays_on_its_lines() {
 fn a_job_after_another_one_is_drawn_at_its_place() {
     for personality in PERSONALITIES {
         let planned = pen_job(personality, &[(spiral(), None)]);
-        let (mut it, anna, job) = started(personality, &planned);
-        run_to(&mut it, 60);
-        it.ask(anna, Request::CancelJob { job }).unwrap();
-        it.run_for(Duration::from_secs(5));
-        let next = it.submit(&planned).unwrap();
-        it.start(anna, next).unwrap();
-        finish(&mut it, next);
-        let Deviation { astray, missed } = deviation(&[spiral()], &drawn(&it));
+        let (mut station, anna, job) = started(personality, &planned);
+        run_to(&mut station, 60);
+        station.ask(anna, Request::CancelJob { job }).unwrap();
+        station.run_for(Duration::from_secs(5));
+        let next = station.submit(&planned).unwrap();
+        station.start(anna, next).unwrap();
+        finish(&mut station, next);
+        let Deviation { astray, missed } = deviation(&[spiral()], &drawn(&station));
         let off_mm = astray.distance_mm.max(missed.distance_mm);
         assert!(off_mm < 0.1, "{personality}: {off_mm} mm off");
     }
@@ -390,19 +401,20 @@ fn a_job_after_another_one_is_drawn_at_its_place() {
 fn a_set_speed_applies_to_the_job_and_not_to_the_next() {
     let personality = Personality::Firmware11;
     let planned = pen_job(personality, &[(spiral(), None)]);
-    let (mut it, anna, job) = started(personality, &planned);
-    run_to(&mut it, 30);
-    it.ask(anna, Request::SetJobSpeed { percent: 60.0 })
+    let (mut station, anna, job) = started(personality, &planned);
+    run_to(&mut station, 30);
+    station
+        .ask(anna, Request::SetJobSpeed { percent: 60.0 })
         .unwrap();
-    it.ask(anna, Request::PauseJob).unwrap();
-    wait_until_paused(&mut it, job);
-    assert_eq!(it.job(job).unwrap().adjustment.speed_percent, 60.0);
-    it.start(anna, job).unwrap();
-    assert_eq!(view(&it).speed_percent, 60.0);
-    finish(&mut it, job);
-    let next = it.submit(&planned).unwrap();
-    it.start(anna, next).unwrap();
-    assert_eq!(view(&it).speed_percent, 100.0);
+    station.ask(anna, Request::PauseJob).unwrap();
+    wait_until_paused(&mut station, job);
+    assert_eq!(station.job(job).unwrap().adjustment.speed_percent, 60.0);
+    station.start(anna, job).unwrap();
+    assert_eq!(view(&station).speed_percent, 60.0);
+    finish(&mut station, job);
+    let next = station.submit(&planned).unwrap();
+    station.start(anna, next).unwrap();
+    assert_eq!(view(&station).speed_percent, 100.0);
 }
 
 #[test]
@@ -410,16 +422,16 @@ fn a_finished_job_reports_its_duration_without_pauses() {
     for personality in PERSONALITIES {
         let planned = pen_job(personality, &[(spiral(), None)]);
         let took_s = |pauses: bool| {
-            let (mut it, anna, job) = started(personality, &planned);
+            let (mut station, anna, job) = started(personality, &planned);
             if pauses {
-                run_to(&mut it, 50);
-                it.ask(anna, Request::PauseJob).unwrap();
-                wait_until_paused(&mut it, job);
-                it.run_for(Duration::from_secs(100));
-                it.start(anna, job).unwrap();
+                run_to(&mut station, 50);
+                station.ask(anna, Request::PauseJob).unwrap();
+                wait_until_paused(&mut station, job);
+                station.run_for(Duration::from_secs(100));
+                station.start(anna, job).unwrap();
             }
-            finish(&mut it, job);
-            let job = it.job(job).unwrap();
+            finish(&mut station, job);
+            let job = station.job(job).unwrap();
             (job.history.ran_s.unwrap(), job.planned_s.unwrap())
         };
         let (took, planned_s) = took_s(false);

@@ -24,22 +24,27 @@ enum By {
 }
 
 fn stock() -> (VirtualStation, ClientId) {
-    let mut it = virtual_station(Personality::Firmware11);
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
-    (it, anna)
+    let mut station = virtual_station(Personality::Firmware11);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
+    (station, anna)
 }
 
-fn say(it: &mut VirtualStation, client: ClientId, by: By, command: Command) -> Result<(), Refusal> {
+fn send(
+    station: &mut VirtualStation,
+    client: ClientId,
+    by: By,
+    command: Command,
+) -> Result<(), Refusal> {
     match by {
-        By::Api => it.ask(client, Request::Command { command }).map(drop),
-        By::Raw => it.send_raw(client, &command.emit(&STOCK)),
+        By::Api => station.ask(client, Request::Command { command }).map(drop),
+        By::Raw => station.send_raw(client, &command.emit(&STOCK)),
     }
 }
 
-fn go(it: &mut VirtualStation, client: ClientId, command: impl Into<Command>) {
-    say(it, client, By::Api, command.into()).unwrap();
-    it.run_for(Duration::from_secs(6));
+fn go(station: &mut VirtualStation, client: ClientId, command: impl Into<Command>) {
+    send(station, client, By::Api, command.into()).unwrap();
+    station.run_for(Duration::from_secs(6));
 }
 
 const fn line(place: [f32; 3]) -> MoveTo {
@@ -50,9 +55,9 @@ const fn line(place: [f32; 3]) -> MoveTo {
 }
 
 /// The arm hangs in none of its commands, knows where it is, and goes where it is sent.
-fn is_well(it: &mut VirtualStation, client: ClientId, what: &str) {
-    it.run_for(Duration::from_secs(3));
-    while let Some(refused) = it.arm_mut().poll_refused() {
+fn is_well(station: &mut VirtualStation, client: ClientId, what: &str) {
+    station.run_for(Duration::from_secs(3));
+    while let Some(refused) = station.arm_mut().poll_refused() {
         let is_lost = matches!(refused, Refused::Hangs(_) | Refused::PoseLost);
         assert!(!is_lost, "{what}: {refused}");
     }
@@ -60,8 +65,8 @@ fn is_well(it: &mut VirtualStation, client: ClientId, what: &str) {
         mode: MovingMode::MovJ,
         ..target([210.0, 25.0, 12.0])
     };
-    go(it, client, there);
-    let status = it.supervisor().state().arm.unwrap().status;
+    go(station, client, there);
+    let status = station.supervisor().state().arm.unwrap().status;
     let off_mm = (status.y_mm - 25.0).abs() + (status.z_mm - 12.0).abs();
     assert!(off_mm < 0.01, "{what}: off by {off_mm} mm");
 }
@@ -110,15 +115,15 @@ fn mouse_and_hand_packets_at_any_interval_never_hang_an_arm_at_its_lower_stop() 
     {
         for gap_ms in gaps_ms {
             let by = if gap_ms % 20 == 0 { By::Api } else { By::Raw };
-            let (mut it, anna) = stock();
-            go(&mut it, anna, line(start));
+            let (mut station, anna) = stock();
+            go(&mut station, anna, line(start));
             for _ in 0..30 {
                 // Most are refused, as they move nothing.
-                let _ = say(&mut it, anna, by, row);
-                it.run_for(Duration::from_millis(gap_ms));
+                let _ = send(&mut station, anna, by, row);
+                station.run_for(Duration::from_millis(gap_ms));
             }
             let what = format!("{row:?} from {start:?} every {gap_ms} ms by {by:?}");
-            is_well(&mut it, anna, &what);
+            is_well(&mut station, anna, &what);
         }
     }
 }
@@ -126,33 +131,33 @@ fn mouse_and_hand_packets_at_any_interval_never_hang_an_arm_at_its_lower_stop() 
 #[test]
 fn a_mouse_moving_back_and_forth_is_followed_and_never_hangs_the_arm() {
     for by in [By::Api, By::Raw] {
-        let (mut it, anna) = stock();
+        let (mut station, anna) = stock();
         let mut taken = 0;
         for round in 0..80_u8 {
             // Whole units, as a mouse sends them: their averages are often 0.
             let y = [6.0, 2.0, -4.0, -4.0, 0.0, 3.0, -3.0][usize::from(round % 7)];
-            taken += u32::from(say(&mut it, anna, by, mouse([y, 0.0, 0.0])).is_ok());
-            it.run_for(Duration::from_millis(100));
+            taken += u32::from(send(&mut station, anna, by, mouse([y, 0.0, 0.0])).is_ok());
+            station.run_for(Duration::from_millis(100));
         }
         assert!(taken > 60, "{by:?}: {taken} of 80 were sent");
-        is_well(&mut it, anna, &format!("{by:?}"));
+        is_well(&mut station, anna, &format!("{by:?}"));
     }
 }
 
 #[test]
 fn a_gesture_after_mouse_packets_is_averaged_with_their_remainder() {
     // The recording p47: the arm is expected to be there when the second gesture is over.
-    let (mut it, anna) = stock();
+    let (mut station, anna) = stock();
     for (by, wait_ms) in [
         (mouse([4.0, 6.0, -5.0]), 200),
         (mouse([4.0, 6.0, -5.0]), 400),
         (hand([0.0, 0.0, 200.0]), 600),
         (hand([0.0, 10.0, 205.0]), 600),
     ] {
-        say(&mut it, anna, By::Api, by).unwrap();
-        it.run_for(Duration::from_millis(wait_ms));
+        send(&mut station, anna, By::Api, by).unwrap();
+        station.run_for(Duration::from_millis(wait_ms));
     }
-    let place = it
+    let place = station
         .supervisor()
         .session()
         .model()
@@ -160,14 +165,14 @@ fn a_gesture_after_mouse_packets_is_averaged_with_their_remainder() {
         .place
         .pose
         .position;
-    let status = it.supervisor().state().arm.unwrap().status;
-    for (foreseen, told) in [
+    let status = station.supervisor().state().arm.unwrap().status;
+    for (foreseen, reported) in [
         (place.x, status.x_mm),
         (place.y, status.y_mm),
         (place.z, status.z_mm),
     ] {
-        let off = (foreseen.0 - f64::from(told)).abs();
-        assert!(off < 0.001, "foreseen {foreseen:?}, told {told}");
+        let off = (foreseen.0 - f64::from(reported)).abs();
+        assert!(off < 0.001, "foreseen {foreseen:?}, reported {reported}");
     }
 }
 
@@ -191,7 +196,7 @@ fn no_packet_that_is_a_trap_by_itself_is_passed_on_from_the_raw_port() {
             (8, 60.0),
         ];
         let mut floats = vec![(1, 9.0), (2, 1.0), (10, 10.0)];
-        floats.extend(all.map(|(at, it)| (at, if at == n { value } else { it })));
+        floats.extend(all.map(|(at, float)| (at, if at == n { value } else { float })));
         floats
     };
     let mut traps: Vec<Vec<(usize, f32)>> = Vec::new();
@@ -245,30 +250,30 @@ fn no_packet_that_is_a_trap_by_itself_is_passed_on_from_the_raw_port() {
     traps.push(vec![(1, 4.0), (10, 40.0)]);
     traps.push(vec![(1, 4.0), (3, 1e-4), (10, 40.0)]);
     traps.push(vec![(1, 4.0), (3, 5.0), (10, 0.001)]);
-    let (mut it, anna) = stock();
-    go(&mut it, anna, line([210.0, 0.0, 0.0]));
-    let sent = it.packets().len();
+    let (mut station, anna) = stock();
+    go(&mut station, anna, line([210.0, 0.0, 0.0]));
+    let sent = station.packets().len();
     for floats in &traps {
-        let taken = it.send_raw(anna, &frame(floats));
+        let taken = station.send_raw(anna, &frame(floats));
         assert!(taken.is_err(), "{floats:?} was sent");
-        it.run_for(Duration::from_millis(100));
+        station.run_for(Duration::from_millis(100));
     }
     // Its current pose, by its place and by its angles.
-    let status = it.supervisor().state().arm.unwrap().status;
+    let status = station.supervisor().state().arm.unwrap().status;
     let (x, y, z) = (status.x_mm, status.y_mm, status.z_mm);
     let here = frame(&[(1, 3.0), (3, x), (4, y), (5, z), (8, 2.0)]);
     let (base, rear, fore) = (status.base_deg, status.rear_deg, status.fore_deg);
     let angles = frame(&[(1, 6.0), (3, base), (4, rear), (5, fore), (8, 2.0)]);
-    assert!(it.send_raw(anna, &here).is_err() && it.send_raw(anna, &angles).is_err());
+    assert!(station.send_raw(anna, &here).is_err() && station.send_raw(anna, &angles).is_err());
     // The refusal switched the laser off, and nothing else was sent.
     let off = [0x60, 0x41];
-    for (_, packet) in &it.packets()[sent..] {
+    for (_, packet) in &station.packets()[sent..] {
         assert_eq!(
             (&packet[3..5], &packet[7..9]),
             (&[0x00, 0x40][..], &off[..])
         );
     }
-    is_well(&mut it, anna, "all of them");
+    is_well(&mut station, anna, "all of them");
 }
 
 fn vector(by: [f32; 3], end_mm_s: f32, max_mm_s: f32) -> Command {
@@ -284,11 +289,27 @@ fn vector(by: [f32; 3], end_mm_s: f32, max_mm_s: f32) -> Command {
 fn a_vector_that_would_creep_for_ever_is_refused() {
     // The vectors of the recording p44; the last is one of laser mode without the laser.
     for by in [By::Api, By::Raw] {
-        let (mut it, anna) = stock();
+        let (mut station, anna) = stock();
         let acceleration_mm_s2 = 200.0;
-        go(&mut it, anna, Configuration::Writing { acceleration_mm_s2 });
-        say(&mut it, anna, by, vector([6.95, -0.3, 0.64], 0.0, 45.0)).unwrap();
-        say(&mut it, anna, by, vector([-7.95, -8.73, 0.0], 0.0, 10.0)).unwrap();
+        go(
+            &mut station,
+            anna,
+            Configuration::Writing { acceleration_mm_s2 },
+        );
+        send(
+            &mut station,
+            anna,
+            by,
+            vector([6.95, -0.3, 0.64], 0.0, 45.0),
+        )
+        .unwrap();
+        send(
+            &mut station,
+            anna,
+            by,
+            vector([-7.95, -8.73, 0.0], 0.0, 10.0),
+        )
+        .unwrap();
         let Command::WriteVector(third) = vector([6.44, -11.93, 0.0], 50.0, 45.0) else {
             unreachable!("it is a vector");
         };
@@ -296,8 +317,11 @@ fn a_vector_that_would_creep_for_ever_is_refused() {
             mode: WriteMode::Laser,
             ..third
         };
-        assert!(say(&mut it, anna, by, third.into()).is_err(), "{by:?}");
-        it.run_for(Duration::from_secs(5));
-        is_well(&mut it, anna, "creeping");
+        assert!(
+            send(&mut station, anna, by, third.into()).is_err(),
+            "{by:?}"
+        );
+        station.run_for(Duration::from_secs(5));
+        is_well(&mut station, anna, "creeping");
     }
 }

@@ -14,39 +14,45 @@ use crate::cases::commands::target;
 const PERSONALITIES: [Personality; 2] = Personality::ALL;
 
 fn lab(personality: Personality) -> (VirtualStation, ClientId) {
-    let mut it = virtual_station(personality);
-    let anna = it.client("Anna");
-    it.ask(anna, Request::TakeLease).unwrap();
+    let mut station = virtual_station(personality);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
     let start = MoveTo {
         mode: MovingMode::MovJ,
         ..target([210.0, 10.0, 0.0])
     };
-    it.ask(
-        anna,
-        Request::Command {
-            command: start.into(),
-        },
-    )
-    .unwrap();
-    it.run_for(Duration::from_secs(5));
-    (it, anna)
+    station
+        .ask(
+            anna,
+            Request::Command {
+                command: start.into(),
+            },
+        )
+        .unwrap();
+    station.run_for(Duration::from_secs(5));
+    (station, anna)
 }
 
 fn voice(text: &str) -> Command {
     Voice::new(text).unwrap().into()
 }
 
-fn say(it: &mut VirtualStation, client: ClientId, raw: bool, text: &str) -> Result<(), Refusal> {
+fn send(
+    station: &mut VirtualStation,
+    client: ClientId,
+    raw: bool,
+    text: &str,
+) -> Result<(), Refusal> {
     let command = voice(text);
     if raw {
-        let packet = command.emit(&it.supervisor().dialect().unwrap());
-        return it.send_raw(client, &packet);
+        let packet = command.emit(&station.supervisor().dialect().unwrap());
+        return station.send_raw(client, &packet);
     }
-    it.ask(client, Request::Command { command }).map(drop)
+    station.ask(client, Request::Command { command }).map(drop)
 }
 
-fn place(it: &VirtualStation) -> [f32; 3] {
-    let status = it.supervisor().state().arm.unwrap().status;
+fn place(station: &VirtualStation) -> [f32; 3] {
+    let status = station.supervisor().state().arm.unwrap().status;
     [status.x_mm, status.y_mm, status.z_mm]
 }
 
@@ -54,22 +60,26 @@ fn place(it: &VirtualStation) -> [f32; 3] {
 fn an_arm_obeys_the_words_with_and_without_voice_support() {
     for personality in PERSONALITIES {
         for raw in [false, true] {
-            let (mut it, anna) = lab(personality);
+            let (mut station, anna) = lab(personality);
             for (text, to) in [
                 ("left twenty five", [210.0, 35.0, 0.0]),
                 ("up ten", [210.0, 35.0, 10.0]),
                 ("Back sixty", [150.0, 35.0, 10.0]),
             ] {
-                say(&mut it, anna, raw, text).unwrap();
-                it.run_for(Duration::from_secs(5));
-                let found = place(&it);
+                send(&mut station, anna, raw, text).unwrap();
+                station.run_for(Duration::from_secs(5));
+                let found = place(&station);
                 let off: f32 = found.iter().zip(to).map(|(a, b)| (a - b).abs()).sum();
                 assert!(off < 0.01, "{personality}, {text}: {found:?}, not {to:?}");
             }
             for (text, on) in [("catch it", true), ("release", false)] {
-                say(&mut it, anna, raw, text).unwrap();
-                it.run_for(Duration::from_secs(1));
-                assert_eq!(it.arm().controller().suction(), on, "{personality}, {text}");
+                send(&mut station, anna, raw, text).unwrap();
+                station.run_for(Duration::from_secs(1));
+                assert_eq!(
+                    station.arm().controller().suction(),
+                    on,
+                    "{personality}, {text}"
+                );
             }
         }
     }
@@ -77,35 +87,37 @@ fn an_arm_obeys_the_words_with_and_without_voice_support() {
 
 #[test]
 fn a_stock_arm_gets_no_voice_packet_over_usb_and_the_pump_stays_on_during_the_motion() {
-    let (mut it, anna) = lab(Personality::Firmware11);
-    say(&mut it, anna, false, "catch").unwrap();
-    say(&mut it, anna, false, "ahead five").unwrap();
-    it.run_for(Duration::from_secs(3));
-    assert!(it.arm().controller().suction());
+    let (mut station, anna) = lab(Personality::Firmware11);
+    send(&mut station, anna, false, "catch").unwrap();
+    send(&mut station, anna, false, "ahead five").unwrap();
+    station.run_for(Duration::from_secs(3));
+    assert!(station.arm().controller().suction());
     let is_voice = |bytes: &[u8; 42]| matches!(Packet::from_bytes(bytes), Some(Packet::Voice(_)));
-    assert!(!it.packets().iter().any(|(_, bytes)| is_voice(bytes)));
+    assert!(!station.packets().iter().any(|(_, bytes)| is_voice(bytes)));
     let done = |notice: &&dobot_api::Notice| matches!(notice.news, News::CommandDone { .. });
-    assert_eq!(it.notices().iter().filter(done).count(), 3);
+    assert_eq!(station.notices().iter().filter(done).count(), 3);
 }
 
 #[test]
 fn a_voice_command_is_judged_as_the_motion_that_it_means() {
-    let (mut it, anna) = lab(Personality::Firmware11);
+    let (mut station, anna) = lab(Personality::Firmware11);
     for (text, why) in [
         ("down seventy", "table allows"),
         ("hello", "allowed are ahead, back"),
         ("up", "allowed are ahead, back"),
     ] {
-        let refusal = say(&mut it, anna, true, text).unwrap_err().to_string();
+        let refusal = send(&mut station, anna, true, text)
+            .unwrap_err()
+            .to_string();
         assert!(refusal.contains(why), "{text}: {refusal}");
     }
 }
 
 #[test]
 fn no_voice_packet_is_sent_to_a_moving_arm_with_voice_support() {
-    let (mut it, anna) = lab(Personality::Specification);
-    say(&mut it, anna, false, "left twenty").unwrap();
-    it.run_for(Duration::from_millis(300));
-    let refusal = say(&mut it, anna, false, "right twenty").unwrap_err();
+    let (mut station, anna) = lab(Personality::Specification);
+    send(&mut station, anna, false, "left twenty").unwrap();
+    station.run_for(Duration::from_millis(300));
+    let refusal = send(&mut station, anna, false, "right twenty").unwrap_err();
     assert!(matches!(refusal, Refusal::StillMoving { .. }), "{refusal}");
 }

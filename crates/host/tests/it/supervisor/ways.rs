@@ -13,11 +13,11 @@ use super::releases::over;
 use super::strokes::{PERSONALITIES, pen_job, started, view};
 
 fn asked(
-    it: &mut VirtualStation,
+    station: &mut VirtualStation,
     client: ClientId,
     command: Command,
 ) -> Result<PathPreview, Refusal> {
-    match it.ask(client, Request::CheckCommand { command })? {
+    match station.ask(client, Request::CheckCommand { command })? {
         Reply::Way { way } => Ok(way),
         other => panic!("{other:?}"),
     }
@@ -32,23 +32,25 @@ fn line(x_mm: f32, y_mm: f32, z_mm: f32) -> Command {
 }
 
 fn station(personality: Personality) -> (VirtualStation, ClientId) {
-    let (mut it, anna) = over(personality, 0);
-    it.ask(anna, Request::ReleaseLease).unwrap();
-    (it, anna)
+    let (mut station, anna) = over(personality, 0);
+    station.ask(anna, Request::ReleaseLease).unwrap();
+    (station, anna)
 }
 
 #[test]
 fn the_reported_path_is_the_path_of_the_arm() {
     for personality in PERSONALITIES {
-        let (mut it, anna) = station(personality);
+        let (mut station, anna) = station(personality);
         let there = line(210.0, -40.0, 60.0);
-        let way = asked(&mut it, anna, there).unwrap();
-        it.ask(anna, Request::TakeLease).unwrap();
-        it.ask(anna, Request::Command { command: there }).unwrap();
-        let until = it.now() + Duration::from_secs(20);
-        while it.now() < until {
-            it.run_for(Duration::from_millis(80));
-            let at = place(&it);
+        let way = asked(&mut station, anna, there).unwrap();
+        station.ask(anna, Request::TakeLease).unwrap();
+        station
+            .ask(anna, Request::Command { command: there })
+            .unwrap();
+        let until = station.now() + Duration::from_secs(20);
+        while station.now() < until {
+            station.run_for(Duration::from_millis(80));
+            let at = place(&station);
             let distance_mm = way
                 .path_mm
                 .windows(2)
@@ -59,19 +61,19 @@ fn the_reported_path_is_the_path_of_the_arm() {
                 "{personality}: {at:?} is {distance_mm} mm off the way"
             );
         }
-        let end = it.supervisor().state().arm.unwrap().status;
+        let end = station.supervisor().state().arm.unwrap().status;
         let reported = [end.base_deg, end.rear_deg, end.fore_deg, end.servo_deg].map(f64::from);
-        for (told, reported) in way.joints_deg.iter().zip(reported) {
+        for (foreseen, reported) in way.joints_deg.iter().zip(reported) {
             assert!(
-                (told - reported).abs() < 0.01,
+                (foreseen - reported).abs() < 0.01,
                 "{personality}: {way:?}, {end:?}"
             );
         }
     }
 }
 
-fn place(it: &VirtualStation) -> [f64; 3] {
-    let status = it.supervisor().state().arm.unwrap().status;
+fn place(station: &VirtualStation) -> [f64; 3] {
+    let status = station.supervisor().state().arm.unwrap().status;
     [status.x_mm, status.y_mm, status.z_mm].map(f64::from)
 }
 
@@ -88,27 +90,30 @@ fn off_mm(at: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
 #[test]
 fn a_path_query_sends_nothing_needs_no_control_and_reports_nothing() {
     for personality in PERSONALITIES {
-        let (mut it, anna) = station(personality);
-        let (packets, notices) = (it.packets().len(), it.notices().len());
-        asked(&mut it, anna, line(210.0, 0.0, 60.0)).unwrap();
-        asked(&mut it, anna, line(400.0, 0.0, 60.0)).unwrap_err();
-        it.run_for(Duration::from_secs(1));
-        assert_eq!((it.packets().len(), it.notices().len()), (packets, notices));
+        let (mut station, anna) = station(personality);
+        let (packets, notices) = (station.packets().len(), station.notices().len());
+        asked(&mut station, anna, line(210.0, 0.0, 60.0)).unwrap();
+        asked(&mut station, anna, line(400.0, 0.0, 60.0)).unwrap_err();
+        station.run_for(Duration::from_secs(1));
+        assert_eq!(
+            (station.packets().len(), station.notices().len()),
+            (packets, notices)
+        );
     }
 }
 
 #[test]
 fn nearby_limits_are_reported_before_the_arm_moves_and_in_its_state_after_it() {
     for personality in PERSONALITIES {
-        let (mut it, anna) = station(personality);
-        assert!(it.supervisor().state().arm.unwrap().near.is_empty());
+        let (mut station, anna) = station(personality);
+        assert!(station.supervisor().state().arm.unwrap().near.is_empty());
         let near_at = |x_mm: f64, z_mm: f64| Request::Near {
             x_mm,
             y_mm: 0.0,
             z_mm,
             rotation_deg: 0.0,
         };
-        let Ok(Reply::Near { near }) = it.ask(anna, near_at(220.0, 126.0)) else {
+        let Ok(Reply::Near { near }) = station.ask(anna, near_at(220.0, 126.0)) else {
             panic!("it is within reach");
         };
         let height = NearLimit {
@@ -117,23 +122,23 @@ fn nearby_limits_are_reported_before_the_arm_moves_and_in_its_state_after_it() {
             closeness: 0.5,
         };
         assert!(near.limits.contains(&height), "{near:?}");
-        it.ask(anna, Request::TakeLease).unwrap();
+        station.ask(anna, Request::TakeLease).unwrap();
         let command = line(220.0, 0.0, 126.0);
-        it.ask(anna, Request::Command { command }).unwrap();
-        it.run_for(Duration::from_secs(20));
+        station.ask(anna, Request::Command { command }).unwrap();
+        station.run_for(Duration::from_secs(20));
         // An arm is at most one motor step away from there.
-        let there = it.supervisor().state().arm.unwrap().near;
+        let there = station.supervisor().state().arm.unwrap().near;
         assert_eq!(there.limits.len(), near.limits.len(), "{there:?}");
-        for (reported, told) in there.limits.iter().zip(&near.limits) {
+        for (reported, foreseen) in there.limits.iter().zip(&near.limits) {
             assert_eq!(
                 (reported.quantity, reported.bound),
-                (told.quantity, told.bound)
+                (foreseen.quantity, foreseen.bound)
             );
-            let off = (reported.closeness - told.closeness).abs();
+            let off = (reported.closeness - foreseen.closeness).abs();
             assert!(off < 0.025, "{there:?}, {near:?}");
         }
         // Beyond the limit the closeness is 1, and where no arm can be there is no answer.
-        let Ok(Reply::Near { near }) = it.ask(anna, near_at(220.0, 140.0)) else {
+        let Ok(Reply::Near { near }) = station.ask(anna, near_at(220.0, 140.0)) else {
             panic!("the links span it");
         };
         let beyond = NearLimit {
@@ -142,7 +147,7 @@ fn nearby_limits_are_reported_before_the_arm_moves_and_in_its_state_after_it() {
         };
         assert!(near.limits.contains(&beyond), "{near:?}");
         for (x_mm, z_mm) in [(900.0, 0.0), (f64::NAN, 0.0)] {
-            let refused = it.ask(anna, near_at(x_mm, z_mm));
+            let refused = station.ask(anna, near_at(x_mm, z_mm));
             assert!(matches!(refused, Err(Refusal::Policy(_))), "{refused:?}");
         }
     }
@@ -151,8 +156,9 @@ fn nearby_limits_are_reported_before_the_arm_moves_and_in_its_state_after_it() {
 #[test]
 fn a_place_beyond_reach_is_refused_with_the_last_allowed_one() {
     for personality in PERSONALITIES {
-        let (mut it, anna) = station(personality);
-        let Err(Refusal::Policy(violation)) = asked(&mut it, anna, line(500.0, 0.0, 60.0)) else {
+        let (mut station, anna) = station(personality);
+        let Err(Refusal::Policy(violation)) = asked(&mut station, anna, line(500.0, 0.0, 60.0))
+        else {
             panic!("it is beyond reach");
         };
         let nearest = violation
@@ -161,7 +167,7 @@ fn a_place_beyond_reach_is_refused_with_the_last_allowed_one() {
         let reach_mm = nearest[0].hypot(nearest[1]).hypot(nearest[2]);
         assert!(reach_mm > 250.0, "{nearest:?}");
         let [x, y, z] = nearest.map(|mm| mm.to_string().parse().unwrap());
-        asked(&mut it, anna, line(x, y, z)).unwrap();
+        asked(&mut station, anna, line(x, y, z)).unwrap();
     }
 }
 
@@ -174,8 +180,8 @@ fn the_marked_path_of_a_job_is_the_line_of_its_pen() {
         ]
         .map(|ends| Stroke::open(ends.map(|(x, y)| Point::new(x, y)).to_vec()));
         let planned = pen_job(personality, &strokes.clone().map(|stroke| (stroke, None)));
-        let (it, _, job) = started(personality, &planned);
-        let path = it.job_path(job).unwrap();
+        let (station, _, job) = started(personality, &planned);
+        let path = station.job_path(job).unwrap();
         let marked: f64 = (1..path.path_mm.len())
             .filter(|index| path.marks[*index])
             .map(|index| {
@@ -190,7 +196,7 @@ fn the_marked_path_of_a_job_is_the_line_of_its_pen() {
             .sum();
         assert!((marked - 70.0).abs() < 0.1, "{personality}: {marked} mm");
         assert_eq!(path.commands.last(), Some(&(planned.commands.len() - 1)));
-        let planned_s = view(&it).planned_s.unwrap();
+        let planned_s = view(&station).planned_s.unwrap();
         let until_s = *path.until_s.last().unwrap();
         assert!(
             (until_s - planned_s).abs() < 0.01 * planned_s,

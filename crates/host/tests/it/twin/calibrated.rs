@@ -161,12 +161,17 @@ impl OldArm {
             let (_, [x, y]) = procedure.next_point();
             let [dx, dy, dz] = [0; 3].map(|_| (random.share() - 0.5) * 0.3);
             let place = Position::new(x + dx, y + dy, paper_z_mm(Point::new(x, y)) + dz);
-            let told = TRUTH.told_joints(place, TOOL).unwrap();
+            let joints = TRUTH.told_joints(place, TOOL).unwrap();
             // From the right and from above: each joint turns on to the point.
-            let beside = Joints::new(told.base.0 - 3.0, told.rear.0 - 0.8, told.fore.0 - 0.8, 0.0);
+            let beside = Joints::new(
+                joints.base.0 - 3.0,
+                joints.rear.0 - 0.8,
+                joints.fore.0 - 0.8,
+                0.0,
+            );
             self.go(beside);
-            self.go(told);
-            procedure.touch(self.told(), 0.0);
+            self.go(joints);
+            procedure.touch(self.reported(), 0.0);
         }
         let [base, rear, fore] = self.backlash_deg;
         found(&procedure.outcome().unwrap(), Backlash { base, rear, fore })
@@ -182,7 +187,7 @@ impl OldArm {
         self.station.run_for(Duration::from_secs(6));
     }
 
-    fn told(&self) -> Joints {
+    fn reported(&self) -> Joints {
         let at = self.station.supervisor().state().arm.unwrap().status;
         Joints::new(
             at.base_deg.into(),

@@ -72,7 +72,7 @@ fn refused(
     dialect: Dialect,
     tool: Tool,
 ) -> Option<String> {
-    refused_behind(Before::Rest, commands, start, dialect, tool)
+    refused_after(Before::Rest, commands, start, dialect, tool)
 }
 
 /// The arm's previous motion.
@@ -84,7 +84,7 @@ enum Before {
     Others,
 }
 
-fn refused_behind(
+fn refused_after(
     before: Before,
     commands: Vec<Command>,
     start: [f64; 3],
@@ -124,9 +124,9 @@ fn refused_behind(
 /// Returns the longest duration of a vector: at a tenth of its largest speed, plus a second.
 fn most_s(command: &Command) -> f64 {
     match command {
-        Command::WriteVector(it) => {
-            let way_mm = it.x_mm.hypot(it.y_mm).hypot(it.z_mm);
-            1.0 + f64::from(way_mm / (0.1 * it.max_speed_mm_s))
+        Command::WriteVector(vector) => {
+            let way_mm = vector.x_mm.hypot(vector.y_mm).hypot(vector.z_mm);
+            1.0 + f64::from(way_mm / (0.1 * vector.max_speed_mm_s))
         }
         _ => f64::INFINITY,
     }
@@ -138,7 +138,7 @@ struct Other {
     running: Vec<Command>,
     /// The commands from that vector on after a crash: up to the next rest, each of them ends at
     /// rest.
-    behind_a_crash: Vec<Command>,
+    after_a_crash: Vec<Command>,
     /// The arm's position then.
     here: [f64; 3],
 }
@@ -153,7 +153,9 @@ impl Other {
             _ => None,
         };
         let before = running[..first].iter().filter_map(vector);
-        let speed_mm_s = before.fold(0.0, |speed, it| end_speed_mm_s(&it, speed, arm_limits));
+        let speed_mm_s = before.fold(0.0, |speed, vector| {
+            end_speed_mm_s(&vector, speed, arm_limits)
+        });
         let vectors: Vec<WriteVector> = running[first..].iter().filter_map(vector).collect();
         let here = plan.positions().take(at).last().unwrap_or(plan.start);
         let begin = RespeedStart {
@@ -173,7 +175,7 @@ impl Other {
         let resting = stop_each(chain, share, arm_limits);
         Self {
             running,
-            behind_a_crash: setup
+            after_a_crash: setup
                 .chain(resting.into_iter().map(Command::from))
                 .collect(),
             here,
@@ -198,15 +200,15 @@ proptest! {
             let refusal = |commands, start| refused(commands, start, dialect, effector);
             prop_assert_eq!(refusal(plan.commands().collect(), plan.start), None);
             let commands = plan.commands().collect();
-            let refusal_behind_others = refused_behind(Before::Others, commands, plan.start, dialect, effector);
-            prop_assert_eq!(refusal_behind_others, None);
+            let refusal_after_others = refused_after(Before::Others, commands, plan.start, dialect, effector);
+            prop_assert_eq!(refusal_after_others, None);
             // The policy has a least speed for lasers: a slower request is refused.
             if plan.moves.is_empty() || plan.burns() {
                 continue;
             }
             let other = Other::of(&plan, at.index(plan.moves.len()), share.min(1.0), effector);
             prop_assert_eq!(refusal(other.running, plan.start), None);
-            prop_assert_eq!(refusal(other.behind_a_crash, other.here), None);
+            prop_assert_eq!(refusal(other.after_a_crash, other.here), None);
         }
     }
 }
@@ -302,7 +304,7 @@ fn a_laser_does_not_creep_after_small_shapes_that_begin_at_an_unknown_speed() {
                 let plan = Plan::new(&[pass], &Paper::level(-40.0), &arm_limits).unwrap();
                 let commands = plan.commands().collect();
                 let refusal =
-                    refused_behind(Before::Others, commands, plan.start, dialect, Tool::Laser);
+                    refused_after(Before::Others, commands, plan.start, dialect, Tool::Laser);
                 assert_eq!(
                     refusal, None,
                     "{sides} sides, {radius_mm} mm, {burn_speed_mm_s} mm/s"

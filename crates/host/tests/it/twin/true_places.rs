@@ -47,8 +47,8 @@ impl Known {
             ..CalibrationFile::default()
         };
         let calibration = Some(Box::new(calibration));
-        let told = station.ask(anna, Request::Calibrate { calibration });
-        told.unwrap();
+        let answer = station.ask(anna, Request::Calibrate { calibration });
+        answer.unwrap();
         station.ask(anna, Request::TakeLease).unwrap();
         Self { station, anna }
     }
@@ -77,7 +77,7 @@ impl Known {
     }
 
     /// Returns the reported position.
-    fn said(&self) -> Position {
+    fn reported(&self) -> Position {
         let status = self.station.supervisor().state().arm.unwrap().status;
         Position::new(status.x_mm.into(), status.y_mm.into(), status.z_mm.into())
     }
@@ -85,7 +85,7 @@ impl Known {
     fn is_at(&self, wanted: [f64; 3]) {
         let [x, y, z] = wanted;
         let wanted = Position::new(x, y, z);
-        for (who, found) in [("is", self.really()), ("says", self.said())] {
+        for (who, found) in [("is", self.really()), ("reports", self.reported())] {
             assert!(
                 wanted.distance(found).0 < 0.06,
                 "it {who} {found:?} instead of {wanted:?}"
@@ -101,26 +101,30 @@ fn line(x: f32, y: f32, z: f32) -> MoveTo {
 #[test]
 fn a_calibrated_arm_goes_to_the_true_place_and_reports_it() {
     for personality in Personality::ALL {
-        let mut it = Known::new(personality, "");
-        it.send(MoveTo::to(220.0, 30.0, 10.0)).unwrap();
-        it.is_at([220.0, 30.0, 10.0]);
-        it.send(line(200.0, -60.0, -20.0)).unwrap();
-        it.is_at([200.0, -60.0, -20.0]);
-        it.send(WriteVector::by(10.0, 20.0, 0.0, 40.0)).unwrap();
-        it.is_at([210.0, -40.0, -20.0]);
-        it.send(MoveJoints::to([0.0, 40.0, 45.0, 0.0])).unwrap();
-        let said = it.station.supervisor().state().arm.unwrap().status;
-        let really = it
+        let mut arm = Known::new(personality, "");
+        arm.send(MoveTo::to(220.0, 30.0, 10.0)).unwrap();
+        arm.is_at([220.0, 30.0, 10.0]);
+        arm.send(line(200.0, -60.0, -20.0)).unwrap();
+        arm.is_at([200.0, -60.0, -20.0]);
+        arm.send(WriteVector::by(10.0, 20.0, 0.0, 40.0)).unwrap();
+        arm.is_at([210.0, -40.0, -20.0]);
+        arm.send(MoveJoints::to([0.0, 40.0, 45.0, 0.0])).unwrap();
+        let reported = arm.station.supervisor().state().arm.unwrap().status;
+        let really = arm
             .station
             .arm()
             .mechanics()
-            .joints_at(it.station.arm().now());
-        let says = [said.base_deg, said.rear_deg, said.fore_deg].map(f64::from);
-        for (says, is) in says
-            .into_iter()
-            .zip([really.base.0, really.rear.0, really.fore.0])
+            .joints_at(arm.station.arm().now());
+        let reported_deg = [reported.base_deg, reported.rear_deg, reported.fore_deg].map(f64::from);
+        for (reported_deg, is) in
+            reported_deg
+                .into_iter()
+                .zip([really.base.0, really.rear.0, really.fore.0])
         {
-            assert!((says - is).abs() < 0.02, "{says} instead of {is}");
+            assert!(
+                (reported_deg - is).abs() < 0.02,
+                "{reported_deg} instead of {is}"
+            );
         }
         assert!(
             really.base.0.abs() < 0.02 && (really.rear.0 - 40.0).abs() < 0.02,
@@ -133,14 +137,14 @@ fn a_calibrated_arm_goes_to_the_true_place_and_reports_it() {
 fn the_policy_judges_true_places() {
     for personality in Personality::ALL {
         // By its own account it would be elsewhere at each of these.
-        let mut it = Known::new(
+        let mut arm = Known::new(
             personality,
             "[workspace]\nz_mm = [-20, 100]\n[keep_out]\nlamp = { cylinder = { x_mm = 200, y_mm = 90, radius_mm = 20, z_mm = [-100, 120] } }\n",
         );
-        it.send(line(210.0, 0.0, 0.0)).unwrap();
-        it.send(line(210.0, 0.0, -19.5)).unwrap();
-        it.is_at([210.0, 0.0, -19.5]);
-        let refused = it.send(line(210.0, 0.0, -20.5)).unwrap_err();
+        arm.send(line(210.0, 0.0, 0.0)).unwrap();
+        arm.send(line(210.0, 0.0, -19.5)).unwrap();
+        arm.is_at([210.0, 0.0, -19.5]);
+        let refused = arm.send(line(210.0, 0.0, -20.5)).unwrap_err();
         assert!(
             refused.to_string().contains("z would be -20.5"),
             "{refused}"
@@ -150,17 +154,17 @@ fn the_policy_judges_true_places() {
         };
         let nearest = violation.nearest.unwrap();
         assert!((nearest[2] + 20.0).abs() < 0.1, "{nearest:?}");
-        let refused = it.send(MoveTo::to(200.0, 90.0, 20.0)).unwrap_err();
+        let refused = arm.send(MoveTo::to(200.0, 90.0, 20.0)).unwrap_err();
         assert!(refused.to_string().contains("keep_out.lamp"), "{refused}");
-        it.is_at([210.0, 0.0, -19.5]);
+        arm.is_at([210.0, 0.0, -19.5]);
     }
 }
 
 #[test]
 fn the_target_of_a_command_is_reported_in_true_places() {
-    let mut it = Known::new(Personality::Firmware11, "");
+    let mut arm = Known::new(Personality::Firmware11, "");
     let command = Command::from(MoveTo::to(220.0, 30.0, 10.0));
-    let way = match it.station.ask(it.anna, Request::CheckCommand { command }) {
+    let way = match arm.station.ask(arm.anna, Request::CheckCommand { command }) {
         Ok(dobot_api::Reply::Way { way }) => way,
         other => panic!("{other:?}"),
     };
@@ -174,30 +178,30 @@ fn the_target_of_a_command_is_reported_in_true_places() {
 #[test]
 fn an_arm_with_its_true_angles_set_needs_no_zeros_until_it_is_reset() {
     for personality in Personality::ALL {
-        let mut it = Known::new(personality, "");
-        it.send(MoveTo::to(220.0, 30.0, 10.0)).unwrap();
-        let crooked = it.ask(Request::TellAngles).unwrap_err();
+        let mut arm = Known::new(personality, "");
+        arm.send(MoveTo::to(220.0, 30.0, 10.0)).unwrap();
+        let crooked = arm.ask(Request::TellAngles).unwrap_err();
         assert!(crooked.to_string().contains("straight ahead"), "{crooked}");
-        it.send(MoveJoints::to([0.0, 40.0, 45.0, 0.0])).unwrap();
-        it.ask(Request::TellAngles).unwrap();
-        let state = it.station.supervisor().state();
+        arm.send(MoveJoints::to([0.0, 40.0, 45.0, 0.0])).unwrap();
+        arm.ask(Request::TellAngles).unwrap();
+        let state = arm.station.supervisor().state();
         assert!(state.calibrated.unwrap().zeros_told);
-        let told = state.arm.unwrap().told.unwrap();
+        let reported = state.arm.unwrap().told.unwrap();
         assert!(
-            (told.rear_deg - 40.0).abs() < 0.02,
-            "the arm itself reports {told:?}"
+            (reported.rear_deg - 40.0).abs() < 0.02,
+            "the arm itself reports {reported:?}"
         );
         // A person confirms that its reported pose is now right.
-        it.ask(Request::ConfirmPose).unwrap();
-        it.send(line(220.0, 30.0, 10.0)).unwrap();
-        it.is_at([220.0, 30.0, 10.0]);
+        arm.ask(Request::ConfirmPose).unwrap();
+        arm.send(line(220.0, 30.0, 10.0)).unwrap();
+        arm.is_at([220.0, 30.0, 10.0]);
     }
 }
 
 #[test]
 fn a_job_made_before_the_angles_were_set_is_not_drawn_at_other_places() {
-    let mut it = Known::new(Personality::Firmware11, "");
-    it.send(MoveJoints::to([0.0, 40.0, 45.0, 0.0])).unwrap();
+    let mut arm = Known::new(Personality::Firmware11, "");
+    arm.send(MoveJoints::to([0.0, 40.0, 45.0, 0.0])).unwrap();
     let job = NewJob {
         title: "there".into(),
         kind: JobKind::Program,
@@ -206,31 +210,31 @@ fn a_job_made_before_the_angles_were_set_is_not_drawn_at_other_places() {
         pauses: Vec::new(),
         program: JobProgram::default(),
     };
-    let job = it.station.submit(&job).unwrap();
-    it.ask(Request::TellAngles).unwrap();
-    let refused = it.ask(Request::StartJob { job }).unwrap_err();
+    let job = arm.station.submit(&job).unwrap();
+    arm.ask(Request::TellAngles).unwrap();
+    let refused = arm.ask(Request::StartJob { job }).unwrap_err();
     assert!(refused.to_string().contains("submit it again"), "{refused}");
 }
 
 #[test]
 fn a_calibration_is_accepted_only_at_rest_and_can_be_undone() {
-    let mut it = Known::new(Personality::Specification, "");
+    let mut arm = Known::new(Personality::Specification, "");
     let command = Command::from(MoveTo::to(220.0, 30.0, 10.0));
-    it.station
-        .ask(it.anna, Request::Command { command })
+    arm.station
+        .ask(arm.anna, Request::Command { command })
         .unwrap();
-    it.station.run_for(Duration::from_millis(300));
-    let refused = it
+    arm.station.run_for(Duration::from_millis(300));
+    let refused = arm
         .station
-        .ask(it.anna, Request::Calibrate { calibration: None });
+        .ask(arm.anna, Request::Calibrate { calibration: None });
     assert!(
         matches!(refused, Err(Refusal::StillMoving { .. })),
         "{refused:?}"
     );
-    it.station.run_for(Duration::from_secs(12));
-    it.is_at([220.0, 30.0, 10.0]);
-    it.ask(Request::Calibrate { calibration: None }).unwrap();
-    let state = it.station.supervisor().state();
+    arm.station.run_for(Duration::from_secs(12));
+    arm.is_at([220.0, 30.0, 10.0]);
+    arm.ask(Request::Calibrate { calibration: None }).unwrap();
+    let state = arm.station.supervisor().state();
     assert_eq!(state.calibrated, None);
     assert_eq!(state.arm.unwrap().told, None);
 }

@@ -88,10 +88,10 @@ fn every_copy_of_a_block_has_its_attributes() {
 #[test]
 fn faces_tables_and_leaders_are_drawn() {
     let face = |hidden: u32| {
-        let it = format!(
+        let insert = format!(
             "0 3DFACE 10 0 20 0 30 5 11 9 21 0 31 5 12 9 22 9 32 0 13 0 23 9 33 0 70 {hidden}"
         );
-        let (artwork, warnings) = draw(&it);
+        let (artwork, warnings) = draw(&insert);
         assert_eq!(warnings, [""; 0]);
         let strokes = artwork.layers[0].strokes.iter();
         strokes.map(Stroke::length_mm).sum::<f64>()

@@ -83,8 +83,8 @@ fn a_dwell_before_the_first_line_or_above_all_lines_burns_no_dot() {
     assert_eq!(corners(above), line);
     assert_eq!(draw(above).1, [format!("7:1: 1 {message}")]);
     // At the height of the lines it is a dot of the laser.
-    let behind = above.replace("Z5", "Z0");
-    assert_eq!(corners(&behind).len(), 2);
+    let at_zero = above.replace("Z5", "Z0");
+    assert_eq!(corners(&at_zero).len(), 2);
 }
 
 #[test]

@@ -1,8 +1,8 @@
 use super::*;
 
 fn square(cut: u32, side_mm: f64, x: f64) -> String {
-    let it = format!("Type=\"Rect\" CutIndex=\"{cut}\" W=\"{side_mm}\" H=\"{side_mm}\"");
-    shape(&it, &format!("1 0 0 1 {x} 0"), "")
+    let attributes = format!("Type=\"Rect\" CutIndex=\"{cut}\" W=\"{side_mm}\" H=\"{side_mm}\"");
+    shape(&attributes, &format!("1 0 0 1 {x} 0"), "")
 }
 
 /// The number of areas of a layer, and of rings of each.

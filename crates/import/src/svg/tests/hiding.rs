@@ -155,8 +155,8 @@ proptest! {
             let corners = corners.map(|(x, y)| Point::new(x, y));
             for pair in corners.windows(2) {
                 let steps = 4000;
-                let seen = (0..steps).filter(|&it| {
-                    let share = (f64::from(it) + 0.5) / f64::from(steps);
+                let seen = (0..steps).filter(|&step| {
+                    let share = (f64::from(step) + 0.5) / f64::from(steps);
                     !covered(pair[0].lerp(pair[1], share), i + 1)
                 });
                 let share = f64::from(u32::try_from(seen.count()).unwrap()) / f64::from(steps);

@@ -68,10 +68,12 @@ fn doable(mut model: Model, commands: Vec<Command>) -> Vec<Command> {
 /// Returns where a command leads from a position, by adding.
 pub(crate) fn end(from: Position, command: &Command) -> Position {
     match command {
-        Command::WriteVector(it) => {
-            from + Position::new(it.x_mm.into(), it.y_mm.into(), it.z_mm.into())
+        Command::WriteVector(vector) => {
+            from + Position::new(vector.x_mm.into(), vector.y_mm.into(), vector.z_mm.into())
         }
-        Command::MoveTo(it) => Position::new(it.x_mm.into(), it.y_mm.into(), it.z_mm.into()),
+        Command::MoveTo(target) => {
+            Position::new(target.x_mm.into(), target.y_mm.into(), target.z_mm.into())
+        }
         _ => from,
     }
 }

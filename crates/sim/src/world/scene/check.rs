@@ -105,7 +105,7 @@ impl SceneCheck<'_> {
         let (diameter, lifts) = ("diameter_mm of [suction-cup]", "lifts_g of [suction-cup]");
         let action = ToolAction::SuctionCup {
             diameter_mm: self.optional(it.diameter_mm.as_ref(), diameter, 1.0..=100.0, 20.0)?,
-            lifts_g: self.optional(it.lifts_g.as_ref(), lifts, 1.0..=MOST_G, 500.0)?,
+            lifts_g: self.optional(it.lifts_g.as_ref(), lifts, 1.0..=MAX_G, 500.0)?,
         };
         self.mounted(
             "suction-cup",
@@ -120,7 +120,7 @@ impl SceneCheck<'_> {
         let lifts_g = self.optional(
             it.lifts_g.as_ref(),
             "lifts_g of [gripper]",
-            1.0..=MOST_G,
+            1.0..=MAX_G,
             500.0,
         )?;
         let open_mm = self.optional(
@@ -222,4 +222,4 @@ impl SceneCheck<'_> {
 const TABLE_Z_MM: f64 = -103.0;
 /// How far from the base axis things may be.
 const NEAR_MM: f64 = 500.0;
-const MOST_G: f64 = 10_000.0;
+const MAX_G: f64 = 10_000.0;

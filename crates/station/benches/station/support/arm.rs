@@ -99,7 +99,7 @@ impl Port {
     /// Opens a port; packets are also forwarded to `also`.
     pub(crate) fn open(also: Option<Sender<[u8; PACKET_LEN]>>) -> Self {
         let (master, path, open) = pair().expect("the system has a pseudo-terminal left");
-        let (tell, arrivals) = channel();
+        let (sender, arrivals) = channel();
         let mut reader = master.try_clone().expect("there are descriptors left");
         std::thread::spawn(move || {
             let mut packet = [0; PACKET_LEN];
@@ -108,7 +108,7 @@ impl Port {
                 if let Some(also) = &also {
                     let _ = also.send(packet);
                 }
-                if tell.send(Arrival { at, packet }).is_err() {
+                if sender.send(Arrival { at, packet }).is_err() {
                     break;
                 }
             }
@@ -142,8 +142,8 @@ impl Port {
 impl Arm {
     /// Starts a virtual arm in real time.
     pub(crate) fn start(personality: Personality) -> Self {
-        let (tell, packets) = channel();
-        let port = Port::open(Some(tell));
+        let (sender, packets) = channel();
+        let port = Port::open(Some(sender));
         let writer = port.master.try_clone().expect("there are descriptors left");
         let controller = Controller::power_up(PowerUp::new(personality));
         let arm = VirtualArm::new(controller, SerialLine::STOCK);

@@ -39,9 +39,9 @@ impl WebSocket {
     /// Returns the response to the last request.
     pub(crate) fn answer(&mut self) -> Value {
         loop {
-            let said = self.receive();
-            if said["id"] == self.id {
-                return said;
+            let message = self.receive();
+            if message["id"] == self.id {
+                return message;
             }
         }
     }
@@ -68,11 +68,11 @@ impl WebSocket {
     }
 
     /// Waits for a state or notice that meets the condition.
-    pub(crate) fn wait(&mut self, is_it: impl Fn(&Value) -> bool) -> Value {
+    pub(crate) fn wait(&mut self, is_match: impl Fn(&Value) -> bool) -> Value {
         loop {
-            let said = self.receive();
-            if is_it(&said) {
-                return said;
+            let message = self.receive();
+            if is_match(&message) {
+                return message;
             }
         }
     }

@@ -37,8 +37,8 @@ impl HttpLeases {
     ) -> Result<Token, Problem> {
         let token = Token::random().map_err(|error| ENDING.problem(error.to_string()))?;
         self.with(|http_leases| {
-            if http_leases.len() >= MOST {
-                let detail = format!("{MOST} clients already hold lease tokens");
+            if http_leases.len() >= MAX_CLIENTS {
+                let detail = format!("{MAX_CLIENTS} clients already hold lease tokens");
                 return Err(TOO_MANY_CLIENTS.problem(detail));
             }
             http_leases.insert(
@@ -110,7 +110,7 @@ impl HttpLeases {
 pub(crate) const LASTS: Duration = Duration::from_secs(10);
 
 /// The maximum number of clients.
-const MOST: usize = 64;
+const MAX_CLIENTS: usize = 64;
 
 fn gone() -> Problem {
     LEASE_GONE.hinted(

@@ -56,11 +56,11 @@ impl Addresses {
     pub(crate) fn take(&self, from: IpAddr, now: Duration, cost: f64) -> Result<(), Duration> {
         let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let rate = rate_of(from);
-        if all.len() >= MOST_ADDRESSES {
+        if all.len() >= MAX_ADDRESSES {
             all.retain(|&address, used| used.left(rate_of(address), now) > 0.0);
         }
         let network = network(from);
-        if all.len() >= MOST_ADDRESSES && !all.contains_key(&network) {
+        if all.len() >= MAX_ADDRESSES && !all.contains_key(&network) {
             return Err(Duration::from_secs(1));
         }
         all.entry(network).or_default().take(rate, now, cost)
@@ -86,7 +86,7 @@ const FLEET: Rate = Rate {
 };
 
 /// The maximum number of tracked addresses; idle ones are dropped beyond it.
-const MOST_ADDRESSES: usize = 10_000;
+const MAX_ADDRESSES: usize = 10_000;
 
 fn rate_of(from: IpAddr) -> Rate {
     match from {
@@ -148,7 +148,7 @@ mod tests {
     #[test]
     fn addresses_that_have_been_quiet_are_forgotten() {
         let addresses = Addresses::default();
-        for n in 0..u32::try_from(MOST_ADDRESSES).expect("ten thousand is small") {
+        for n in 0..u32::try_from(MAX_ADDRESSES).expect("ten thousand is small") {
             let _ = addresses.take(IpAddr::V4(n.into()), Duration::ZERO, 1.0);
         }
         let later = Duration::from_mins(1);
@@ -160,7 +160,7 @@ mod tests {
     fn while_all_known_addresses_are_busy_new_ones_must_wait() {
         let addresses = Addresses::default();
         let mut refused = 0;
-        for n in 0..u32::try_from(MOST_ADDRESSES).expect("ten thousand is small") + 5 {
+        for n in 0..u32::try_from(MAX_ADDRESSES).expect("ten thousand is small") + 5 {
             let taken = addresses.take(IpAddr::V4(n.into()), Duration::ZERO, 1.0);
             refused += u32::from(taken.is_err());
         }

@@ -29,7 +29,7 @@ pub(crate) fn document() -> Value {
     });
     let mut schemas = settings.into_generator();
     let mut paths: Map<String, Value> = Map::new();
-    for route in ROUTES.iter().filter(|route| is_told(route)) {
+    for route in ROUTES.iter().filter(|route| is_documented(route)) {
         let path = paths.entry(route.path).or_insert_with(|| json!({}));
         path[route.method.as_str().to_lowercase()] = operation(route, &mut schemas);
     }
@@ -61,7 +61,7 @@ pub(crate) fn document() -> Value {
 }
 
 /// Whether a route is in the document: the API and the page itself are, the page's files are not.
-pub(crate) fn is_told(route: &Route) -> bool {
+pub(crate) fn is_documented(route: &Route) -> bool {
     route.path == "/" || !page::has(route.path)
 }
 

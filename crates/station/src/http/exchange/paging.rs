@@ -53,8 +53,8 @@ impl FromRequestParts<Arc<App>> for Page {
         let asked: Result<Queries<Asked>, QueryRejection> =
             Queries::from_request_parts(parts, app).await;
         let Queries(asked) = asked.map_err(|error| MALFORMED.problem(error.body_text()))?;
-        if let Some(limit) = asked.limit.filter(|limit| !(1..=MOST).contains(limit)) {
-            let text = format!("limit is {limit}; allowed is 1 to {MOST}");
+        if let Some(limit) = asked.limit.filter(|limit| !(1..=MAX_PAGE).contains(limit)) {
+            let text = format!("limit is {limit}; allowed is 1 to {MAX_PAGE}");
             return Err(OUT_OF_RANGE.problem(text).into());
         }
         Ok(Self { path, asked })
@@ -96,7 +96,7 @@ impl Page {
 }
 
 /// The maximum size of a page.
-const MOST: usize = 1000;
+const MAX_PAGE: usize = 1000;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

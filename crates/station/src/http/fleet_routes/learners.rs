@@ -53,7 +53,7 @@ struct Learner {
     /// When this step began.
     since: Duration,
     /// When the last report arrived.
-    heard: Duration,
+    reported: Duration,
 }
 
 impl Learners {
@@ -61,14 +61,14 @@ impl Learners {
     ///
     /// # Errors
     ///
-    /// [`INVALID`] if a field is out of range, [`TOO_MANY`] if [`MOST`] others are listed.
+    /// [`INVALID`] if a field is out of range, [`TOO_MANY`] if [`MAX_STUDENTS`] others are listed.
     fn report(&mut self, now: Duration, progress: Progress) -> Result<LearnerView, Problem> {
         progress.check()?;
         self.forget(now);
         let before = self.0.get(&progress.student);
-        if before.is_none() && self.0.len() >= MOST {
+        if before.is_none() && self.0.len() >= MAX_STUDENTS {
             return Err(TOO_MANY.hinted(
-                format!("{MOST} students are in lessons here, the maximum"),
+                format!("{MAX_STUDENTS} students are in lessons here, the maximum"),
                 "retry a minute after one of them has left",
             ));
         }
@@ -77,7 +77,7 @@ impl Learners {
         let learner = Learner {
             progress,
             since,
-            heard: now,
+            reported: now,
         };
         let view = learner.view(now);
         self.0.insert(learner.progress.student.clone(), learner);
@@ -92,7 +92,7 @@ impl Learners {
 
     fn forget(&mut self, now: Duration) {
         self.0
-            .retain(|_, learner| now.saturating_sub(learner.heard) < KEPT_FOR);
+            .retain(|_, learner| now.saturating_sub(learner.reported) < KEPT_FOR);
     }
 }
 
@@ -153,7 +153,7 @@ pub(crate) async fn all(requester: Requester) -> Json<Vec<LearnerView>> {
 }
 
 /// The maximum number of students.
-const MOST: usize = 64;
+const MAX_STUDENTS: usize = 64;
 /// The time after which a student without reports is dropped.
 const KEPT_FOR: Duration = Duration::from_secs(60);
 
@@ -209,7 +209,7 @@ mod tests {
     #[test]
     fn a_full_class_refuses_new_students_and_still_accepts_known_ones() {
         let mut learners = Learners::default();
-        for n in 0..MOST {
+        for n in 0..MAX_STUDENTS {
             learners
                 .report(seconds(0), at_step(&format!("student {n}"), 0))
                 .unwrap();

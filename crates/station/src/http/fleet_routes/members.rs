@@ -41,7 +41,7 @@ pub(crate) async fn events(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
 ) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, RequestFailed> {
-    let mut pace = interval(TELL_EVERY);
+    let mut pace = interval(REPORT_EVERY);
     pace.set_missed_tick_behavior(MissedTickBehavior::Delay);
     let watching = Watching {
         members: app.fleet()?.look().await?,
@@ -60,7 +60,7 @@ pub(crate) async fn events(
 }
 
 /// The interval at which members are compared: as fast as a person sees a tile move.
-const TELL_EVERY: Duration = Duration::from_millis(100);
+const REPORT_EVERY: Duration = Duration::from_millis(100);
 
 /// The state of one event stream.
 struct Watching {

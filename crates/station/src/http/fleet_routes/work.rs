@@ -134,10 +134,10 @@ fn check_people(student: &str, group: Option<&str>) -> Result<(), Problem> {
 }
 
 fn check_needs(needs: &[String]) -> Result<(), Problem> {
-    if needs.len() > MOST_NEEDS {
+    if needs.len() > MAX_NEEDS {
         let found = needs.len();
         return Err(INVALID.problem(format!(
-            "needs has {found} words; allowed are up to {MOST_NEEDS}"
+            "needs has {found} words; allowed are up to {MAX_NEEDS}"
         )));
     }
     match needs.iter().find(|need| !is_fleet_name(need)) {
@@ -152,5 +152,5 @@ fn now_ms() -> i64 {
     i64::try_from(since.as_millis()).unwrap_or(i64::MAX)
 }
 
-const MOST_NEEDS: usize = 16;
+const MAX_NEEDS: usize = 16;
 const LONGEST_TITLE: usize = 200;

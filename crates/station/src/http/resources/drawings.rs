@@ -178,7 +178,7 @@ impl Drawings {
         let number = kept.last;
         let title = new.title();
         let cancel = CancelToken::default();
-        let (tell, progress) = watch::channel(Progress::Waiting);
+        let (sender, progress) = watch::channel(Progress::Waiting);
         let work = Work {
             number,
             title: title.clone(),
@@ -186,7 +186,7 @@ impl Drawings {
             planned_for,
             cancel: cancel.clone(),
         };
-        let work = tokio::spawn(work.run(self.slots.clone(), tell)).abort_handle();
+        let work = tokio::spawn(work.run(self.slots.clone(), sender)).abort_handle();
         let drawing = Drawing {
             title,
             cancel,
@@ -284,11 +284,11 @@ impl Drawings {
 impl Kept {
     /// Deletes the oldest finished drawings beyond the maximum number or memory.
     fn make_room(&mut self) -> Result<(), Problem> {
-        while self.drawings.len() >= MOST || self.bytes() > MOST_BYTES {
+        while self.drawings.len() >= MAX_DRAWINGS || self.bytes() > MAX_BYTES {
             let oldest = self.drawings.iter().find(|(_, drawing)| drawing.is_over());
             let oldest = oldest.map(|(&number, _)| number).ok_or_else(|| {
                 TOO_MANY.hinted(
-                    format!("{MOST} drawings are being planned, the maximum"),
+                    format!("{MAX_DRAWINGS} drawings are being planned, the maximum"),
                     "wait until some are planned, or cancel some",
                 )
             })?;
@@ -357,7 +357,7 @@ impl NewDrawing {
     pub(crate) fn title(&self) -> String {
         let text = Subject::of_text(&self.options.what).map(|title| title.title);
         let title = self.name.clone().or(text).unwrap_or_default();
-        let title = plain(title.trim(), MOST_LETTERS);
+        let title = plain(title.trim(), MAX_LETTERS);
         if title.is_empty() {
             return "drawing".to_owned();
         }
@@ -397,9 +397,9 @@ struct Work {
 }
 
 impl Work {
-    async fn run(self, slots: Arc<Semaphore>, tell: watch::Sender<Progress>) {
+    async fn run(self, slots: Arc<Semaphore>, sender: watch::Sender<Progress>) {
         let slot = slots.acquire_owned().await;
-        tell.send_replace(Progress::Planning);
+        sender.send_replace(Progress::Planning);
         let cancel = self.cancel.clone();
         let planning = beside(move || {
             // Held until planning has really ended.
@@ -415,14 +415,14 @@ impl Work {
                 "draw it in parts, or allow a larger tolerance",
             )))
         });
-        tell.send_replace(match planned.and_then(|planned| planned) {
+        sender.send_replace(match planned.and_then(|planned| planned) {
             Ok(planned) => Progress::Planned(Arc::new(planned)),
             Err(problem) => Progress::Failed(problem),
         });
         // A plan may be large, and its client may never return.
         tokio::time::sleep(KEPT_FOR).await;
         let kept_min = KEPT_FOR.as_secs() / 60;
-        tell.send_if_modified(|progress| {
+        sender.send_if_modified(|progress| {
             let is_planned = matches!(progress, Progress::Planned(_));
             if is_planned {
                 *progress = Progress::Failed(BAD_DRAWING.hinted(
@@ -511,15 +511,15 @@ fn json(view: &DrawingView) -> Bytes {
 /// The number of concurrent plans: one core of a small computer of four stays free for other work.
 const AT_ONCE: usize = 2;
 /// The maximum number of drawings.
-const MOST: usize = 16;
+const MAX_DRAWINGS: usize = 16;
 /// The memory size of plans from which old ones are deleted: a million vectors and their preview
 /// take a third of it.
-const MOST_BYTES: usize = 512 << 20;
+const MAX_BYTES: usize = 512 << 20;
 /// The lifetime of a plan.
 const KEPT_FOR: Duration = Duration::from_secs(30 * 60);
 const LONGEST_PLAN: Duration = Duration::from_secs(120);
 const LONGEST_WAIT: Duration = Duration::from_secs(1);
-const MOST_LETTERS: usize = 150;
+const MAX_LETTERS: usize = 150;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

@@ -139,7 +139,7 @@ impl Recordings {
 
 impl Stretch {
     /// The maximum number of samples.
-    pub(crate) const MOST: usize = 5_000;
+    pub(crate) const MAX_SAMPLES: usize = 5_000;
 
     /// Checks the ranges; returns the problem in one line.
     pub(crate) fn check(&self) -> Result<(), String> {
@@ -148,8 +148,8 @@ impl Stretch {
         if !(0.0..=to_s).contains(&from_s) {
             return Err(format!("from_s is {from_s}; allowed are 0 to to_s"));
         }
-        if !(2..=Self::MOST).contains(&self.most) {
-            let (found, most) = (self.most, Self::MOST);
+        if !(2..=Self::MAX_SAMPLES).contains(&self.most) {
+            let (found, most) = (self.most, Self::MAX_SAMPLES);
             return Err(format!("most is {found}; allowed are 2 to {most}"));
         }
         Ok(())

@@ -15,7 +15,7 @@ use tokio::sync::watch;
 use tokio::task::{JoinHandle, JoinSet, spawn_blocking};
 use tokio::time::{interval, sleep, timeout};
 
-use crate::http::app::{App, MOST_SOCKETS, Peer, REFRESH_EVERY, ended};
+use crate::http::app::{App, MAX_SOCKETS, Peer, REFRESH_EVERY, ended};
 use crate::http::routes;
 use crate::http::tls::TlsAcceptor;
 
@@ -62,7 +62,7 @@ pub(crate) async fn serve(listener: TcpListener, tls: Option<TlsAcceptor>, app: 
     // Remaining connections are cut.
     let _ = timeout(END_WITHIN, async {
         while connections.join_next().await.is_some() {}
-        let all = u32::try_from(MOST_SOCKETS).expect("a few thousand");
+        let all = u32::try_from(MAX_SOCKETS).expect("a few thousand");
         let _ = app.sockets.acquire_many(all).await;
     })
     .await;
@@ -133,9 +133,9 @@ where
 pub(crate) struct ConnectionSlots(Mutex<HashMap<IpAddr, usize>>);
 
 /// The maximum number of connections.
-const MOST: usize = 4096;
+const MAX_CONNECTIONS: usize = 4096;
 /// The maximum number of connections per address of another machine.
-const MOST_OF_ONE: usize = 64;
+const MAX_PER_ADDRESS: usize = 64;
 
 impl ConnectionSlots {
     /// Reserves a slot for this address, if one is free.
@@ -143,7 +143,7 @@ impl ConnectionSlots {
         let mut taken = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let all: usize = taken.values().sum();
         let of_one = taken.entry(from).or_default();
-        if all >= MOST || (!from.is_loopback() && *of_one >= MOST_OF_ONE) {
+        if all >= MAX_CONNECTIONS || (!from.is_loopback() && *of_one >= MAX_PER_ADDRESS) {
             return None;
         }
         *of_one += 1;
@@ -182,7 +182,7 @@ mod tests {
         let slots = Arc::new(ConnectionSlots::default());
         let [one, other] = [[10, 0, 0, 1], [10, 0, 0, 2]].map(IpAddr::from);
         let mut taken: Vec<ConnectionSlot> = std::iter::from_fn(|| slots.take(one)).collect();
-        assert_eq!(taken.len(), MOST_OF_ONE);
+        assert_eq!(taken.len(), MAX_PER_ADDRESS);
         assert!(slots.take(other).is_some());
         taken.pop();
         assert!(slots.take(one).is_some());

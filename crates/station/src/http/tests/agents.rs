@@ -9,14 +9,14 @@ use super::{Answer, Harness};
 const GREETING: &str = r#"{"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {
     "protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "a", "version": "1"}}}"#;
 
-fn says(harness: &Harness) -> Builder {
+fn mcp_request(harness: &Harness) -> Builder {
     harness
         .request("POST", "/mcp")
         .header("content-type", "application/json")
         .header("accept", "application/json, text/event-stream")
 }
 
-async fn greets(harness: &Harness, request: Builder) -> Answer {
+async fn initialize(harness: &Harness, request: Builder) -> Answer {
     let request = request.body(Body::from(GREETING));
     harness.send(request.unwrap()).await
 }
@@ -24,31 +24,31 @@ async fn greets(harness: &Harness, request: Builder) -> Answer {
 #[tokio::test]
 async fn from_another_machine_an_agent_needs_a_token() {
     let harness = Harness::far();
-    greets(&harness, says(&harness))
+    initialize(&harness, mcp_request(&harness))
         .await
         .is(401)
         .is_problem("unauthorised");
-    let wrong = says(&harness).header("authorization", "Bearer wrong");
-    greets(&harness, wrong).await.is(401);
-    let watcher = says(&harness).header("authorization", harness.bearer(Role::Watch));
-    let answer = greets(&harness, watcher).await;
+    let wrong = mcp_request(&harness).header("authorization", "Bearer wrong");
+    initialize(&harness, wrong).await.is(401);
+    let watcher = mcp_request(&harness).header("authorization", harness.bearer(Role::Watch));
+    let answer = initialize(&harness, watcher).await;
     assert!(answer.is(200).headers.contains_key("mcp-session-id"));
 }
 
 #[tokio::test]
 async fn pages_of_other_sites_are_refused_as_agents() {
     let harness = Harness::near();
-    let strange = says(&harness).header("origin", "http://evil.example");
-    greets(&harness, strange)
+    let strange = mcp_request(&harness).header("origin", "http://evil.example");
+    initialize(&harness, strange)
         .await
         .is(403)
         .is_problem("forbidden-origin");
-    let mut rebound = says(&harness);
+    let mut rebound = mcp_request(&harness);
     rebound
         .headers_mut()
         .unwrap()
         .insert("host", "evil.example:8642".parse().unwrap());
-    greets(&harness, rebound)
+    initialize(&harness, rebound)
         .await
         .is(403)
         .is_problem("forbidden-host");
@@ -57,8 +57,8 @@ async fn pages_of_other_sites_are_refused_as_agents() {
 #[tokio::test]
 async fn the_size_of_agent_messages_is_limited() {
     let harness = Harness::near();
-    let most = dobot_mcp::HttpAgents::MOST_BYTES;
-    let request = says(&harness).body(Body::from(vec![b' '; most + 1]));
+    let most = dobot_mcp::HttpAgents::MAX_BYTES;
+    let request = mcp_request(&harness).body(Body::from(vec![b' '; most + 1]));
     harness
         .send(request.unwrap())
         .await
@@ -69,10 +69,10 @@ async fn the_size_of_agent_messages_is_limited() {
 #[tokio::test]
 async fn the_number_of_sessions_is_limited_and_an_ended_one_makes_room() {
     let harness = Harness::near();
-    let first = greets(&harness, says(&harness)).await;
+    let first = initialize(&harness, mcp_request(&harness)).await;
     let mut sessions = 1;
     let refused = loop {
-        let answer = greets(&harness, says(&harness)).await;
+        let answer = initialize(&harness, mcp_request(&harness)).await;
         if answer.status != 200 {
             break answer;
         }
@@ -87,7 +87,7 @@ async fn the_number_of_sessions_is_limited_and_an_ended_one_makes_room() {
         .send(ends.body(Body::empty()).unwrap())
         .await
         .is(202);
-    greets(&harness, says(&harness)).await.is(200);
+    initialize(&harness, mcp_request(&harness)).await.is(200);
 }
 
 #[tokio::test]
@@ -96,7 +96,7 @@ async fn an_invalid_message_is_answered_as_elsewhere() {
     let refused = harness.json("POST", "/mcp", GREETING).await;
     refused.is(400).is_problem("malformed");
     assert!(refused.body.contains("Accept"), "{refused:?}");
-    let over = says(&harness).header("mcp-session-id", "gone");
+    let over = mcp_request(&harness).header("mcp-session-id", "gone");
     let over = over.body(Body::from(
         r#"{"jsonrpc": "2.0", "id": 2, "method": "ping"}"#,
     ));

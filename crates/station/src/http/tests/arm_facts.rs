@@ -10,7 +10,7 @@ use crate::sample::state;
 async fn facts(harness: &Harness, dialect: Option<Dialect>) -> Value {
     let mut state = state(7.5);
     state.dialect = dialect;
-    harness.telling.ends.publish_state(state);
+    harness.publisher.ends.publish_state(state);
     harness.get("/api/v1/arm").await.is(200).value()
 }
 

@@ -76,9 +76,9 @@ fn bodies_allowed_by_the_document_are_accepted_and_others_change_nothing() {
         runner()
             .run(&any.prop_map(without_waiting), |body| {
                 let (answer, asked) = send(&runtime, &harness, &method, &path, body.to_string());
-                let told = format!("{method} {path} {body}: {answer:?}");
+                let what = format!("{method} {path} {body}: {answer:?}");
                 if allows(&document, schema, &body, true) {
-                    prop_assert!(!matches!(answer.status, 400 | 413 | 415), "{told}");
+                    prop_assert!(!matches!(answer.status, 400 | 413 | 415), "{what}");
                     // A text may be no valid program, option of a drawing, policy, scene, fault or
                     // name, touches may determine nothing; some keys of a step exclude each other.
                     let reads = [
@@ -95,12 +95,12 @@ fn bodies_allowed_by_the_document_are_accepted_and_others_change_nothing() {
                         "/virtual-arms",
                     ];
                     let is_text = reads.iter().any(|read| path.contains(read));
-                    prop_assert!(is_text || answer.status != 422, "{told}");
+                    prop_assert!(is_text || answer.status != 422, "{what}");
                     taken.set(taken.get() + 1);
                 } else if !allows(&document, schema, &body, false) {
-                    prop_assert!(matches!(answer.status, 400 | 422), "{told}");
+                    prop_assert!(matches!(answer.status, 400 | 422), "{what}");
                     prop_assert!(!answer.problem().1.is_empty());
-                    prop_assert_eq!(asked, 0, "{}", told);
+                    prop_assert_eq!(asked, 0, "{}", what);
                     refused.set(refused.get() + 1);
                 }
                 Ok(())

@@ -20,14 +20,14 @@ const ARM: Calibration = Calibration {
 };
 
 /// The reported angles of that arm at a point of paper that is 45 mm below.
-fn told([x, y]: [f64; 2]) -> Joints {
+fn reported([x, y]: [f64; 2]) -> Joints {
     let there = Position::new(x, y, -45.0);
     ARM.told_joints(there, Tool::SuctionCup).unwrap()
 }
 
 fn touch(point: [f64; 2]) -> Value {
-    let it = told(point);
-    json!({"place_mm": point, "told_deg": [it.base.0, it.rear.0, it.fore.0]})
+    let joints = reported(point);
+    json!({"place_mm": point, "told_deg": [joints.base.0, joints.rear.0, joints.fore.0]})
 }
 
 /// What the station is asked about touches of a sheet whose bar was measured.
@@ -86,7 +86,7 @@ async fn touches_without_information_are_refused_with_a_remedy() {
     let nine: Vec<Value> = all.iter().copied().map(touch).collect();
     let mut scaled = question(&nine);
     scaled["bar_mm"] = json!(0.97 * Sheet::chosen_by(17).bar_mm());
-    for (body, says) in [
+    for (body, expected) in [
         (question(&[]), "the number of touches is 0"),
         (question(&three), "at least 4"),
         (question(&wrong), "again"),
@@ -99,7 +99,7 @@ async fn touches_without_information_are_refused_with_a_remedy() {
             .await;
         let (kind, detail) = answer.is(422).problem();
         assert_eq!(kind, "bad-touches");
-        assert!(detail.contains(says), "{detail}");
+        assert!(detail.contains(expected), "{detail}");
     }
     assert!(harness.asked().is_empty(), "nothing is asked of the arm");
 }

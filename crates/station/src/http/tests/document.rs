@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use serde_json::Value;
 
 use super::Harness;
-use crate::http::exchange::document::{document, is_told, problems_of};
+use crate::http::exchange::document::{document, is_documented, problems_of};
 use crate::http::routes::ROUTES;
 
 /// Returns the statuses that the document lists for a route, as in `GET /api/v1/jobs/7`.
@@ -54,8 +54,8 @@ fn every_operation_has_a_unique_name() {
             assert!(names.insert(name.to_string()), "{name}");
         }
     });
-    let told = ROUTES.iter().filter(|route| is_told(route));
-    assert_eq!(names.len(), told.count());
+    let routes = ROUTES.iter().filter(|route| is_documented(route));
+    assert_eq!(names.len(), routes.count());
 }
 
 #[test]

@@ -154,7 +154,7 @@ async fn an_invalid_option_is_refused_at_once_with_its_field() {
 #[tokio::test]
 async fn an_undrawable_file_is_reported_and_no_job_is_made_of_it() {
     let harness = Harness::near();
-    for (body, says) in [
+    for (body, expected) in [
         (file("a.svg", b"no svg", &json!({})), "xml"),
         (file("a.xyz", b"\0\0\0\0", &json!({})), "a.xyz"),
         (
@@ -171,7 +171,7 @@ async fn an_undrawable_file_is_reported_and_no_job_is_made_of_it() {
         let view = planned(&harness, body).await;
         assert_eq!(view["phase"], "failed", "{view}");
         let detail = view["problem"]["detail"].as_str().unwrap().to_lowercase();
-        assert!(detail.contains(&says.to_lowercase()), "{detail}");
+        assert!(detail.contains(&expected.to_lowercase()), "{detail}");
         let jobs = format!("/api/v1/drawings/{}/jobs", view["drawing"]);
         harness.bare("POST", &jobs).await.is(422);
     }
@@ -217,17 +217,17 @@ async fn a_file_announced_as_too_large_is_not_read() {
     let request = harness
         .request("POST", "/api/v1/drawings")
         .header("content-type", "application/json")
-        .body(axum::body::Body::new(Told(axum::body::Body::from_stream(
-            endless,
-        ))))
+        .body(axum::body::Body::new(AnnouncedBody(
+            axum::body::Body::from_stream(endless),
+        )))
         .unwrap();
     harness.send(request).await.is(413);
 }
 
 /// A body that never arrives, with a declared size of 100 MB.
-struct Told(axum::body::Body);
+struct AnnouncedBody(axum::body::Body);
 
-impl axum::body::HttpBody for Told {
+impl axum::body::HttpBody for AnnouncedBody {
     type Data = axum::body::Bytes;
     type Error = axum::Error;
 

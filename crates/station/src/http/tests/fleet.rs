@@ -169,7 +169,7 @@ async fn the_fleet_is_reset_only_by_a_client_with_a_control_token() {
             .await
             .is(status);
     }
-    let resets = harness.telling.resets.lock().unwrap().clone();
+    let resets = harness.publisher.resets.lock().unwrap().clone();
     assert_eq!(resets, ["control at desk-1"]);
     drop(harness);
     stand_in.await.unwrap();

@@ -16,8 +16,8 @@ async fn a_reported_student_is_shown_to_all_with_lesson_and_step() {
         serde_json::json!([])
     );
     harness.json("POST", LEARNERS, ANNA).await.is(200);
-    let told = harness.get(LEARNERS).await.is(200).value();
-    let anna = &told.as_array().unwrap()[0];
+    let learners = harness.get(LEARNERS).await.is(200).value();
+    let anna = &learners.as_array().unwrap()[0];
     assert_eq!(
         [
             &anna["student"],

@@ -19,7 +19,7 @@ fn token(answer: &Answer) -> String {
 /// Returns the clients that left, after all requests have been received.
 async fn gone(harness: &Harness) -> Vec<ClientId> {
     harness.app.handle.jobs().await.unwrap();
-    harness.telling.gone.lock().unwrap().clone()
+    harness.publisher.gone.lock().unwrap().clone()
 }
 
 #[tokio::test(start_paused = true)]

@@ -31,8 +31,8 @@ async fn health_is_public_and_metrics_are_for_watchers() {
 #[tokio::test]
 async fn the_metrics_are_those_of_the_state_each_explained_once() {
     let harness = Harness::near();
-    let told = state(7.5);
-    harness.telling.ends.publish_state(told.clone());
+    let reported = state(7.5);
+    harness.publisher.ends.publish_state(reported.clone());
     let answer = harness.get("/metrics").await;
     let text = &answer.is(200).body;
     let figure = |name: &str| {
@@ -52,9 +52,9 @@ async fn the_metrics_are_those_of_the_state_each_explained_once() {
         );
     };
     same("dobot_link_up", 1.0);
-    same("dobot_statuses_per_second", told.link.statuses_per_s);
-    same("dobot_queue_ahead_seconds", told.queue.ahead_s);
-    let status = told.arm.unwrap().status;
+    same("dobot_statuses_per_second", reported.link.statuses_per_s);
+    same("dobot_queue_ahead_seconds", reported.queue.ahead_s);
+    let status = reported.arm.unwrap().status;
     same(
         "dobot_arm_position_millimetres{axis=\"x\"}",
         f64::from(status.x_mm),
@@ -95,10 +95,10 @@ fn events(text: &str) -> Vec<(String, Value)> {
 #[tokio::test]
 async fn events_begin_with_the_state_and_the_missed_notices() {
     let harness = Harness::near();
-    harness.telling.ends.publish_state(state(7.5));
+    harness.publisher.ends.publish_state(state(7.5));
     for number in 1..=4 {
         let notice = notice(number, News::LinkUp, "the link came up");
-        harness.telling.ends.publish_notice(notice);
+        harness.publisher.ends.publish_notice(notice);
     }
     let request = harness
         .request("GET", "/api/v1/events")
@@ -150,9 +150,9 @@ async fn packets_are_reported_in_both_directions_and_decoded_and_dropped_ones_ar
         let piece = body.next().await.unwrap().unwrap();
         events(std::str::from_utf8(&piece).unwrap()).remove(0)
     };
-    let tell = |to_arm: bool, bytes: [u8; 42]| {
+    let publish = |to_arm: bool, bytes: [u8; 42]| {
         let at = Duration::from_millis(1_500);
-        let ends = &harness.telling.ends;
+        let ends = &harness.publisher.ends;
         ends.publish_packet(PassedPacket {
             at,
             to_arm,
@@ -160,7 +160,7 @@ async fn packets_are_reported_in_both_directions_and_decoded_and_dropped_ones_ar
             pen_below_mm: None,
         });
     };
-    tell(false, Status::AT_ZERO.emit().to_bytes());
+    publish(false, Status::AT_ZERO.emit().to_bytes());
     let (name, packet) = next().await;
     assert_eq!(
         (name.as_str(), &packet["direction"]),
@@ -171,13 +171,13 @@ async fn packets_are_reported_in_both_directions_and_decoded_and_dropped_ones_ar
 
     let text = r#"{"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "rotation_deg": 0, "suction": false, "mode": "jump", "gripper_deg": 0, "pause_s": 0}"#;
     let command: Command = serde_json::from_str(text).unwrap();
-    tell(true, command.emit(&Dialect::FIRMWARE_1_1).to_bytes());
+    publish(true, command.emit(&Dialect::FIRMWARE_1_1).to_bytes());
     let (_, packet) = next().await;
     assert_eq!(packet["direction"], "to_arm");
     assert_eq!(packet["command"]["x_mm"], 200.0);
     assert_eq!(packet["bytes"].as_str().unwrap().len(), 84);
 
-    tell(true, [0xA5; 42]);
+    publish(true, [0xA5; 42]);
     let (_, packet) = next().await;
     assert!(
         packet["command"].is_null() && packet["problem"].is_string(),
@@ -185,7 +185,7 @@ async fn packets_are_reported_in_both_directions_and_decoded_and_dropped_ones_ar
     );
 
     for _ in 0..1_030 {
-        tell(false, Status::AT_ZERO.emit().to_bytes());
+        publish(false, Status::AT_ZERO.emit().to_bytes());
     }
     let (name, lost) = next().await;
     assert_eq!((name.as_str(), &lost["lost"]), ("lost", &6.into()));

@@ -69,7 +69,7 @@ async fn the_states_of_a_recording_give_the_places_of_the_arm() {
     assert_eq!(found["begin_ms"], 1_795_264_200_000_u64);
     assert_eq!(found["spacing_s"], 0.0);
     let samples = found["samples"].as_array().unwrap();
-    let told: Vec<_> = samples
+    let reported: Vec<_> = samples
         .iter()
         .map(|sample| {
             (
@@ -78,9 +78,13 @@ async fn the_states_of_a_recording_give_the_places_of_the_arm() {
             )
         })
         .collect();
-    assert_eq!(told[..2], [(0.0, 0.0), (0.96, 0.0)], "a rest has two ends");
-    assert_eq!(told.len(), 2 + 87);
-    assert!((told[88].1 - 8.7).abs() < 1e-4, "{:?}", told[88]);
+    assert_eq!(
+        reported[..2],
+        [(0.0, 0.0), (0.96, 0.0)],
+        "a rest has two ends"
+    );
+    assert_eq!(reported.len(), 2 + 87);
+    assert!((reported[88].1 - 8.7).abs() < 1e-4, "{:?}", reported[88]);
     let part = harness
         .get(&format!("{path}?from_s=2&to_s=4&most=10"))
         .await;

@@ -15,7 +15,7 @@ const MOVE: &str = r#"{"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "r
 #[tokio::test]
 async fn the_state_is_the_last_reported_one() {
     let harness = Harness::near();
-    harness.telling.ends.publish_state(state(7.5));
+    harness.publisher.ends.publish_state(state(7.5));
     let answer = harness.get("/api/v1/state").await;
     assert_eq!(
         answer.is(200).value(),
@@ -29,7 +29,7 @@ async fn notices_are_kept_for_later_requests() {
     let harness = Harness::near();
     for number in 1..=300 {
         harness
-            .telling
+            .publisher
             .ends
             .publish_notice(notice(number, News::LinkUp, "the link came up"));
     }
@@ -80,21 +80,21 @@ async fn a_waiting_client_learns_whether_the_arm_has_arrived() {
     ] {
         let harness = Harness::near();
         let body = format!(r#"{{"command": {MOVE}, "wait": true}}"#);
-        let telling = async {
+        let publishing = async {
             while harness.asked().is_empty() {
                 tokio::task::yield_now().await;
             }
-            harness.telling.ends.publish_notice(notice(
+            harness.publisher.ends.publish_notice(notice(
                 1,
                 News::CommandDone { command: 11 },
                 "another",
             ));
             harness
-                .telling
+                .publisher
                 .ends
                 .publish_notice(notice(2, news, "it stopped at a limit"));
         };
-        let (answer, ()) = tokio::join!(harness.json("POST", "/api/v1/commands", body), telling);
+        let (answer, ()) = tokio::join!(harness.json("POST", "/api/v1/commands", body), publishing);
         answer.is(status);
         if status == 409 {
             assert_eq!(

@@ -67,10 +67,10 @@ async fn a_token_identifies_its_holder_unless_it_is_for_several_people() {
     takes().await;
     harness.app.tokens().share("control").unwrap();
     takes().await;
-    let came = harness.telling.came.lock().unwrap().clone();
+    let connected = harness.publisher.connected.lock().unwrap().clone();
     let expected = [("Ben", "control"), ("Ben", "Ben")];
     assert_eq!(
-        came,
+        connected,
         expected.map(|(name, person)| (name.into(), person.into()))
     );
 }
@@ -104,7 +104,7 @@ pub(super) fn is_time_of(harness: &Harness, student: &str) {
         next: None,
         free_s: Some(900.0),
     };
-    harness.telling.ends.publish_state(State {
+    harness.publisher.ends.publish_state(State {
         slots: Some(slots),
         ..crate::sample::state(1.0)
     });

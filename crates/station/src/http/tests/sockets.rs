@@ -15,7 +15,7 @@ use crate::{Served, Token, Tokens, Web, serve};
 
 struct Station {
     served: Served,
-    telling: std::sync::Arc<FakeNews>,
+    publisher: std::sync::Arc<FakeNews>,
     asked: Asked,
     handle: dobot_host::StationHandle,
     folder: tempfile::TempDir,
@@ -26,11 +26,11 @@ type Socket = WebSocketStream<MaybeTlsStream<TcpStream>>;
 impl Station {
     async fn start() -> Self {
         let folder = tempfile::tempdir().unwrap();
-        let (handle, telling, asked) = driver();
+        let (handle, publisher, asked) = driver();
         let web = Web::new("127.0.0.1:0".parse().unwrap(), Folders::at(folder.path()));
         Self {
             served: serve(&web, handle.clone()).await.unwrap(),
-            telling,
+            publisher,
             asked,
             handle,
             folder,
@@ -59,7 +59,7 @@ impl Station {
     /// Returns the clients that left, after the driver has received all requests.
     async fn gone(&self) -> Vec<ClientId> {
         self.handle.jobs().await.unwrap();
-        self.telling.gone.lock().unwrap().clone()
+        self.publisher.gone.lock().unwrap().clone()
     }
 }
 
@@ -74,7 +74,7 @@ async fn next(socket: &mut Socket) -> Value {
     }
 }
 
-async fn say(socket: &mut Socket, message: &Value) {
+async fn send(socket: &mut Socket, message: &Value) {
     socket
         .send(Message::text(message.to_string()))
         .await
@@ -97,10 +97,10 @@ async fn a_client_is_greeted_and_receives_the_state_and_the_events() {
     assert_eq!(hello["hello"]["role"], "admin");
     assert_eq!(hello["hello"]["dead_man_s"], 0.15);
     assert_eq!(next(&mut socket).await, json!({"state": state(0.0)}));
-    station.telling.ends.publish_state(state(1.0));
+    station.publisher.ends.publish_state(state(1.0));
     assert_eq!(next(&mut socket).await, json!({"state": state(1.0)}));
     station
-        .telling
+        .publisher
         .ends
         .publish_notice(notice(4, News::LinkLost, "the link is lost"));
     assert_eq!(
@@ -115,7 +115,7 @@ async fn requests_are_answered_with_their_numbers_and_in_their_order() {
     let mut socket = station.connect("?states=0&notices=false").await;
     next(&mut socket).await;
     for id in 0..50 {
-        say(
+        send(
             &mut socket,
             &json!({"id": id, "request": {"type": "start_job", "job": id}}),
         )
@@ -138,7 +138,7 @@ async fn refused_and_invalid_messages_are_answered_with_a_problem() {
     let station = Station::start().await;
     let mut socket = station.connect("?states=0").await;
     next(&mut socket).await;
-    say(
+    send(
         &mut socket,
         &json!({"id": 1, "request": {"type": "start_job", "job": 404}}),
     )
@@ -148,7 +148,7 @@ async fn refused_and_invalid_messages_are_answered_with_a_problem() {
         (&answer["id"], &answer["problem"]["status"]),
         (&json!(1), &json!(404))
     );
-    say(&mut socket, &json!({"id": 2, "request": {"type": "fly"}})).await;
+    send(&mut socket, &json!({"id": 2, "request": {"type": "fly"}})).await;
     let answer = next(&mut socket).await;
     assert_eq!(
         (&answer["id"], &answer["problem"]["status"]),
@@ -239,13 +239,13 @@ async fn a_client_that_floods_is_closed_and_others_are_notified() {
     let station = Station::start().await;
     let mut socket = station.connect("?states=0&notices=false&name=flood").await;
     next(&mut socket).await;
-    let (mut say, mut hear) = socket.split();
+    let (mut writer, mut reader) = socket.split();
     let flooding = tokio::spawn(async move {
         // The station closes the connection at some point.
-        while say.send(Message::text("x")).await.is_ok() {}
+        while writer.send(Message::text("x")).await.is_ok() {}
     });
     let mut farewell = None;
-    while let Some(Ok(message)) = hear.next().await {
+    while let Some(Ok(message)) = reader.next().await {
         if let Message::Close(Some(frame)) = message {
             farewell = Some((u16::from(frame.code), frame.reason.to_string()));
             break;
@@ -255,7 +255,7 @@ async fn a_client_that_floods_is_closed_and_others_are_notified() {
     let (code, reason) = farewell.unwrap();
     assert_eq!(code, 1008);
     assert!(reason.contains("1000 messages"), "{reason}");
-    let trouble = station.telling.trouble.lock().unwrap().clone();
+    let trouble = station.publisher.trouble.lock().unwrap().clone();
     assert!(
         matches!(&trouble[..], [one] if one.starts_with("client 1 (flood) was dropped")),
         "{trouble:?}"
@@ -297,7 +297,7 @@ async fn a_hundred_watchers_miss_nothing() {
         }));
     }
     for n in 1..=STATES {
-        station.telling.ends.publish_state(state(f64::from(n)));
+        station.publisher.ends.publish_state(state(f64::from(n)));
     }
     for watcher in watching {
         watcher.await.unwrap();
@@ -340,7 +340,7 @@ async fn a_socket_whose_token_is_removed_is_closed_and_its_client_leaves_at_once
     assert!(closed(&mut anna).await.contains("token was removed"));
     assert_eq!(station.gone().await.len(), 1);
     // Other clients are unaffected.
-    say(
+    send(
         &mut ben,
         &json!({"id": 1, "request": {"type": "take_lease"}}),
     )

@@ -46,9 +46,9 @@ pub(crate) struct Asking {
 
 impl Asking {
     /// Returns the next step.
-    pub(crate) fn next(&mut self, chance: &mut Chance, it: &VirtualStation) -> FuzzStep {
+    pub(crate) fn next(&mut self, chance: &mut Chance, station: &VirtualStation) -> FuzzStep {
         let who = chance.one(&self.people);
-        let holder = it
+        let holder = station
             .supervisor()
             .state()
             .lease
@@ -59,7 +59,7 @@ impl Asking {
                 Some(before) => before.clone(),
                 None => FuzzStep::Request(who, Request::TakeLease),
             },
-            10..35 => self.by(chance, who, |chance| command(chance, it)),
+            10..35 => self.by(chance, who, |chance| command(chance, station)),
             35..50 => {
                 let row = self.row(chance);
                 let asked = self.by(chance, who, |_| row);
@@ -77,7 +77,7 @@ impl Asking {
             79..84 => self.job(chance, who),
             84..86 => FuzzStep::Request(self.watcher, Request::Stop { reason: None }),
             86..90 => FuzzStep::Request(who, Request::ResetStop),
-            90 if it.supervisor().is_at_rest() => {
+            90 if station.supervisor().is_at_rest() => {
                 FuzzStep::Unplug(chance.time(Duration::from_secs(4)))
             }
             _ => FuzzStep::Request(who, self.plain(chance)),
@@ -194,8 +194,8 @@ fn number(chance: &mut Chance, from: f32, to: f32) -> f32 {
 }
 
 /// Somewhere in reach, or a little away from where the arm will be.
-fn place(chance: &mut Chance, it: &VirtualStation) -> [f32; 3] {
-    let model = it.supervisor().session().model();
+fn place(chance: &mut Chance, station: &VirtualStation) -> [f32; 3] {
+    let model = station.supervisor().session().model();
     let here = model.map_or(Position::new(200.0, 0.0, 0.0), |model| {
         model.place.pose.position
     });
@@ -225,7 +225,7 @@ fn step(chance: &mut Chance) -> f32 {
     }
 }
 
-fn command(chance: &mut Chance, it: &VirtualStation) -> Command {
+fn command(chance: &mut Chance, station: &VirtualStation) -> Command {
     let mode = chance.one(&[MovingMode::Jump, MovingMode::MovL, MovingMode::MovJ]);
     let pause_s = match chance.below(6) {
         0 => number(chance, 0.0, 2.0),
@@ -234,7 +234,7 @@ fn command(chance: &mut Chance, it: &VirtualStation) -> Command {
     let suction = chance.below(2) == 0;
     match chance.below(13) {
         0..4 => {
-            let [x_mm, y_mm, z_mm] = place(chance, it);
+            let [x_mm, y_mm, z_mm] = place(chance, station);
             MoveTo {
                 x_mm,
                 y_mm,

@@ -47,9 +47,9 @@ impl Judge {
     }
 
     /// Judges this moment.
-    pub(crate) fn look(&mut self, it: &VirtualStation) {
-        let arm = it.arm();
-        self.look_for_voice(it);
+    pub(crate) fn look(&mut self, station: &VirtualStation) {
+        let arm = station.arm();
+        self.look_for_voice(station);
         let tick = arm.controller().tick_count();
         if self.lost.is_some() || tick == self.tick {
             return;
@@ -59,7 +59,7 @@ impl Judge {
         if arm.controller().laser() && !self.burns {
             self.lose(LASER, String::new());
         }
-        let at = arm.controller_time(it.now());
+        let at = arm.controller_time(station.now());
         let believed = arm.controller().joints_at(at);
         let pose = arm.controller().pose_at(at);
         if !is_finite(&believed) || !pose.position.z.0.is_finite() {
@@ -69,7 +69,7 @@ impl Judge {
         if self.resets {
             return;
         }
-        let joints = arm.mechanics().joints_at(it.now());
+        let joints = arm.mechanics().joints_at(station.now());
         // The tool last set at the controller.
         let reach_mm = forward(&believed, Tool::SuctionCup).position.reach().0;
         let is_long = (pose.position.reach().0 - reach_mm).abs() < 1.0;
@@ -84,22 +84,22 @@ impl Judge {
     }
 
     /// Voice that leaves for an arm in motion hangs a stock arm, with its motors running (note N50).
-    fn look_for_voice(&mut self, it: &VirtualStation) {
-        let joints = it.arm().mechanics().joints_at(it.now());
+    fn look_for_voice(&mut self, station: &VirtualStation) {
+        let joints = station.arm().mechanics().joints_at(station.now());
         let moves = self
             .before
             .replace(joints)
             .is_some_and(|previous| previous != joints);
-        let mut sent = it.packets().iter().skip(self.packets);
+        let mut sent = station.packets().iter().skip(self.packets);
         if moves && sent.any(|(_, bytes)| bytes[0] == VOICE_HEADER) {
             self.lose(HANGS, "voice was sent while it moved".to_owned());
         }
-        self.packets = it.packets().len();
+        self.packets = station.packets().len();
     }
 
     /// Reads the controller's reports.
-    pub(crate) fn hear(&mut self, it: &mut VirtualStation) {
-        while let Some(refused) = it.arm_mut().poll_refused() {
+    pub(crate) fn read_reports(&mut self, station: &mut VirtualStation) {
+        while let Some(refused) = station.arm_mut().poll_refused() {
             match refused {
                 Refused::Hangs(_) => self.lose(HANGS, refused.to_string()),
                 Refused::PoseLost => self.lose(NAN, refused.to_string()),

@@ -172,14 +172,14 @@ fn at_an_arm(
 ) -> (Seen, Vec<Refused>) {
     let controller = Controller::power_up(power_up(program));
     let mut arm = VirtualArm::new(controller, SerialLine::STOCK);
-    let mut heard: Decoder<Statuses> = Decoder::statuses(plausible);
+    let mut decoder: Decoder<Statuses> = Decoder::statuses(plausible);
     let mut play = Play::new(program, is_played);
     let mut seen = Seen::default();
     for (now, is_look) in steps(program) {
         arm.handle_time(now);
         let mut bytes = Vec::new();
         arm.poll_bytes(&mut bytes);
-        let statuses = heard.feed(&bytes).count();
+        let statuses = decoder.feed(&bytes).count();
         for packet in play.due(now, statuses) {
             arm.handle_bytes(now, &packet.frame().to_bytes());
         }
@@ -195,50 +195,54 @@ pub(super) struct Served {
     /// The packets that the arm got since the program connected.
     pub(super) got: Vec<Frame>,
     /// The reports for each packet: whether it was refused, and the texts.
-    pub(super) told: Vec<(bool, Vec<String>)>,
+    pub(super) reports: Vec<(bool, Vec<String>)>,
     /// All that was amended, refused or failed.
     pub(super) troubles: Vec<String>,
 }
 
 /// Plays the program at the raw port of a station with the default policy.
 pub(super) fn at_a_station(program: &Program) -> Served {
-    let mut it = VirtualStation::new(power_up(program), Policy::default());
-    let client = it.client("a raw program");
+    let mut station = VirtualStation::new(power_up(program), Policy::default());
+    let client = station.client("a raw program");
     let mut play = Play::new(program, |_| true);
     let mut served = Served {
         seen: Seen::default(),
         got: Vec::new(),
-        told: Vec::new(),
+        reports: Vec::new(),
         troubles: Vec::new(),
     };
     for (now, is_look) in steps(program) {
-        if now > it.now() {
-            it.run_for(Duration::from_millis(STEP_MS));
+        if now > station.now() {
+            station.run_for(Duration::from_millis(STEP_MS));
         }
-        let permits = usize::from(it.poll_status() && it.supervisor().permits_raw());
+        let permits = usize::from(station.poll_status() && station.supervisor().permits_raw());
         for packet in play.due(now, permits) {
-            served.told.push(send(&mut it, client, packet));
+            served.reports.push(send(&mut station, client, packet));
         }
         served
             .seen
-            .watch(Look::of(it.arm()), program.within, is_look);
+            .watch(Look::of(station.arm()), program.within, is_look);
     }
-    served.got = it
+    served.got = station
         .packets()
         .iter()
         .map(|(_, bytes)| Frame::from_bytes(bytes).expect("no voice"))
         .collect();
-    served.troubles = troubles(&it, 0);
+    served.troubles = troubles(&station, 0);
     served
 }
 
-fn send(it: &mut VirtualStation, client: ClientId, packet: &RecordedPacket) -> (bool, Vec<String>) {
-    let before = it.notices().len();
-    let is_refused = it.send_raw(client, &packet.frame().into()).is_err();
-    (is_refused, troubles(it, before))
+fn send(
+    station: &mut VirtualStation,
+    client: ClientId,
+    packet: &RecordedPacket,
+) -> (bool, Vec<String>) {
+    let before = station.notices().len();
+    let is_refused = station.send_raw(client, &packet.frame().into()).is_err();
+    (is_refused, troubles(station, before))
 }
 
-fn troubles(it: &VirtualStation, from: usize) -> Vec<String> {
+fn troubles(station: &VirtualStation, from: usize) -> Vec<String> {
     let is_trouble = |news: &News| {
         matches!(
             news,
@@ -252,7 +256,7 @@ fn troubles(it: &VirtualStation, from: usize) -> Vec<String> {
                 | News::Trouble
         )
     };
-    let notices = it.notices()[from..].iter();
+    let notices = station.notices()[from..].iter();
     let troubles = notices.filter(|notice| is_trouble(&notice.news));
     troubles.map(|notice| notice.text.clone()).collect()
 }

@@ -27,11 +27,11 @@ impl Reference {
         let text = uncommented(text);
         let lines: Vec<_> = text.lines().map(words).collect();
         let has = |is: fn(&(char, f64)) -> bool| lines.iter().flatten().any(is);
-        let has_s = has(|it| it.0 == 'S');
-        let has_m = has(|it| it.0 == 'M' && [3.0, 4.0, 5.0, 106.0, 107.0].contains(&it.1));
+        let has_s = has(|word| word.0 == 'S');
+        let has_m = has(|word| word.0 == 'M' && [3.0, 4.0, 5.0, 106.0, 107.0].contains(&word.1));
         let mut reader = Reader {
             full: !has_s,
-            says_nothing: !has_s && !has_m,
+            is_without_power: !has_s && !has_m,
             ..Reader::default()
         };
         for line in &lines {
@@ -59,7 +59,7 @@ impl Reference {
 struct Reader {
     /// The power is full without S.
     full: bool,
-    says_nothing: bool,
+    is_without_power: bool,
     at: Point,
     z: Option<f64>,
     motion: f64,
@@ -92,7 +92,7 @@ impl Reader {
             }
         }
         self.drills |= self.motion == 81.0;
-        let is_lit = self.says_nothing || self.is_on && (self.full || self.s > 0.0);
+        let is_lit = self.is_without_power || self.is_on && (self.full || self.s > 0.0);
         if has_g(4.0) {
             if is_lit {
                 self.dwells.push((self.at, self.z));
@@ -116,12 +116,12 @@ impl Reader {
             2.0 | 3.0 => arc(from, self.at, center, self.motion == 2.0),
             _ => vec![from, self.at],
         };
-        let stands = self.motion < 2.0 && from == self.at;
-        if stands && self.motion == 1.0 && is_lit && z < self.z {
+        let is_still = self.motion < 2.0 && from == self.at;
+        if is_still && self.motion == 1.0 && is_lit && z < self.z {
             self.plunges.extend(z);
         }
         self.z = z;
-        if stands {
+        if is_still {
             return;
         }
         self.heights.extend(z);

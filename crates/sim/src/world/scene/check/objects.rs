@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use dobot_geometry::Point;
 use toml::Spanned;
 
-use super::{MOST_G, NEAR_MM, SceneCheck};
+use super::{MAX_G, NEAR_MM, SceneCheck};
 use crate::world::color::{color, names};
 use crate::world::footprint::Footprint;
 use crate::world::scene::SceneError;
@@ -39,12 +39,12 @@ impl SceneCheck<'_> {
         for (i, it) in file.cylinder.iter().enumerate() {
             placed.push(self.place_cylinder(it, i + 1)?);
         }
-        if placed.len() > MOST_OBJECTS {
+        if placed.len() > MAX_OBJECTS {
             return Err(SceneError::Value {
-                line: placed[MOST_OBJECTS].line,
+                line: placed[MAX_OBJECTS].line,
                 what: "the number of objects".to_owned(),
                 found: placed.len().to_string(),
-                allowed: format!("up to {MOST_OBJECTS} are allowed"),
+                allowed: format!("up to {MAX_OBJECTS} are allowed"),
             });
         }
         placed.sort_by_key(|it| it.line);
@@ -275,5 +275,5 @@ fn apart(placed: &[Placed<'_>]) -> Result<(), SceneError> {
 /// What the base takes up.
 const BASE_RADIUS_MM: f64 = 80.0;
 const SIZE_MM: RangeInclusive<f64> = 0.5..=500.0;
-const MASS_G: RangeInclusive<f64> = 0.1..=MOST_G;
-const MOST_OBJECTS: usize = 500;
+const MASS_G: RangeInclusive<f64> = 0.1..=MAX_G;
+const MAX_OBJECTS: usize = 500;

@@ -94,12 +94,12 @@ fn spaced(seconds: f64) -> Rate {
 
 /// Returns the next state, or the one after a gap: a client with a limited rate does not miss any.
 async fn kept(
-    came: Result<Arc<Snapshot>, RecvError>,
+    received: Result<Arc<Snapshot>, RecvError>,
     states: &mut broadcast::Receiver<Arc<Snapshot>>,
 ) -> Result<Arc<Snapshot>, RecvError> {
-    match came {
+    match received {
         Err(RecvError::Lagged(_)) => states.recv().await,
-        came => came,
+        received => received,
     }
 }
 

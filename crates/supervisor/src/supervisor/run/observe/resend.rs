@@ -53,7 +53,7 @@ impl Run {
         let sent = self.started.completed..self.next;
         let mut sent = self.started.plan.commands()[sent].iter();
         let leads_somewhere = sent.all(|command| !matches!(command, Command::WriteVector(_)));
-        leads_somewhere && (is_new || self.retries.times < MOST_RETRIES)
+        leads_somewhere && (is_new || self.retries.times < MAX_RETRIES)
     }
 
     /// Pauses the job because lost commands cannot be sent again.
@@ -89,4 +89,4 @@ impl Run {
 }
 
 /// A link that loses the same command this often is broken.
-const MOST_RETRIES: u32 = 5;
+const MAX_RETRIES: u32 = 5;

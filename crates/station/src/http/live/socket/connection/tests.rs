@@ -30,7 +30,7 @@ fn caller() -> Caller {
 /// The messages that a client receives; it may stop reading after some of them.
 #[derive(Debug)]
 struct TestSink {
-    heard: Arc<Mutex<Vec<Message>>>,
+    received: Arc<Mutex<Vec<Message>>>,
     reads: usize,
 }
 
@@ -38,7 +38,7 @@ impl Sink<Message> for TestSink {
     type Error = Infallible;
 
     fn poll_ready(self: Pin<&mut Self>, _: &mut Context<'_>) -> Poll<Result<(), Infallible>> {
-        if self.heard.lock().unwrap().len() < self.reads {
+        if self.received.lock().unwrap().len() < self.reads {
             Poll::Ready(Ok(()))
         } else {
             Poll::Pending
@@ -46,7 +46,7 @@ impl Sink<Message> for TestSink {
     }
 
     fn start_send(self: Pin<&mut Self>, message: Message) -> Result<(), Infallible> {
-        self.heard.lock().unwrap().push(message);
+        self.received.lock().unwrap().push(message);
         Ok(())
     }
 
@@ -61,9 +61,9 @@ impl Sink<Message> for TestSink {
 
 struct Harness {
     app: Arc<App>,
-    telling: Arc<FakeNews>,
+    publisher: Arc<FakeNews>,
     asked: Asked,
-    heard: Arc<Mutex<Vec<Message>>>,
+    received: Arc<Mutex<Vec<Message>>>,
     _end: watch::Sender<bool>,
 }
 
@@ -71,7 +71,7 @@ impl Harness {
     fn new() -> Self {
         let folder = tempfile::tempdir().unwrap();
         let tokens = Tokens::open(&folder.path().join("tokens.toml")).unwrap();
-        let (handle, telling, asked) = driver();
+        let (handle, publisher, asked) = driver();
         let (end, ending) = watch::channel(false);
         Self {
             app: App::new(
@@ -89,9 +89,9 @@ impl Harness {
                 None,
                 ending,
             ),
-            telling,
+            publisher,
             asked,
-            heard: Arc::default(),
+            received: Arc::default(),
             _end: end,
         }
     }
@@ -110,16 +110,16 @@ impl Harness {
             "test".into(),
             &SocketOptions::default(),
         );
-        let heard = self.heard.clone();
+        let received = self.received.clone();
         let mut incoming = incoming;
         connection
-            .run(&mut incoming, &mut TestSink { heard, reads })
+            .run(&mut incoming, &mut TestSink { received, reads })
             .await;
         began.elapsed()
     }
 
     fn close_code(&self) -> Option<u16> {
-        match self.heard.lock().unwrap().last() {
+        match self.received.lock().unwrap().last() {
             Some(Message::Close(Some(frame))) => Some(frame.code),
             _ => None,
         }
@@ -127,7 +127,7 @@ impl Harness {
 
     async fn trouble(&self) -> Vec<String> {
         self.app.handle.jobs().await.unwrap();
-        self.telling.trouble.lock().unwrap().clone()
+        self.publisher.trouble.lock().unwrap().clone()
     }
 }
 
@@ -151,7 +151,7 @@ async fn a_client_that_vanishes_is_noticed_within_seconds() {
     assert!((6.0..8.0).contains(&lasted.as_secs_f64()), "{lasted:?}");
     assert_eq!(harness.close_code(), Some(1008));
     let pings = harness
-        .heard
+        .received
         .lock()
         .unwrap()
         .iter()
@@ -181,10 +181,10 @@ async fn a_client_that_does_not_read_is_dropped_and_watchers_are_notified() {
 #[tokio::test(start_paused = true)]
 async fn a_client_that_lags_too_many_states_is_dropped() {
     let harness = Harness::new();
-    let telling = harness.telling.clone();
+    let publisher = harness.publisher.clone();
     let incoming = Box::pin(stream::once(async move {
         for _ in 0..2 * StationHandle::STATES {
-            telling.ends.publish_state(state(0.0));
+            publisher.ends.publish_state(state(0.0));
         }
         text(r#"{"id": 1, "request": {"type": "release"}}"#)
     }));
@@ -243,9 +243,9 @@ async fn an_aborted_connection_is_not_reported_as_an_error() {
 #[tokio::test(start_paused = true)]
 async fn hello_is_sent_first_and_earlier_events_after_it() {
     let harness = Harness::new();
-    let telling = harness.telling.clone();
+    let publisher = harness.publisher.clone();
     let incoming = Box::pin(stream::once(async move {
-        telling.ends.publish_notice(notice(1, News::LinkUp, "up"));
+        publisher.ends.publish_notice(notice(1, News::LinkUp, "up"));
         text("")
     }));
     let _ = timeout(
@@ -253,14 +253,14 @@ async fn hello_is_sent_first_and_earlier_events_after_it() {
         harness.connection(usize::MAX, incoming.chain(pongs())),
     )
     .await;
-    let heard = harness.heard.lock().unwrap();
-    let starts = |at: usize, start: &str| matches!(&heard[at], Message::Text(text) if text.starts_with(start));
+    let received = harness.received.lock().unwrap();
+    let starts = |at: usize, start: &str| matches!(&received[at], Message::Text(text) if text.starts_with(start));
     assert!(
         starts(0, "{\"hello\":") && starts(1, "{\"state\":"),
-        "{heard:?}"
+        "{received:?}"
     );
     assert!(
-        heard.iter().any(
+        received.iter().any(
             |message| matches!(message, Message::Text(text) if text.starts_with("{\"notice\":"))
         )
     );

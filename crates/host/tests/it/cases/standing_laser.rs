@@ -39,7 +39,7 @@ impl fmt::Display for Sender {
 
 /// The figures of the standing laser.
 #[derive(Debug)]
-pub(crate) struct Stands {
+pub(crate) struct StandingLaser {
     /// The sender of the burning commands.
     pub sender: Sender,
     /// The fault of the link.
@@ -48,7 +48,7 @@ pub(crate) struct Stands {
     pub programs: usize,
     /// The longest time that it burned in one place in each of them, in seconds.
     pub stood_s: Spread,
-    /// For longer than [`MOST_S`].
+    /// For longer than [`MAX_S`].
     pub late: usize,
     /// How often the station switched it off for that.
     pub switched_off: usize,
@@ -59,14 +59,14 @@ pub(crate) struct Stands {
 }
 
 /// Lets this many programs burn, for each sender on each link.
-pub(crate) fn run(programs: u64) -> Vec<Stands> {
+pub(crate) fn run(programs: u64) -> Vec<StandingLaser> {
     let senders = [Sender::Requests, Sender::Packets, Sender::Job];
     let on_links = |sender| LINKS.map(|link| of(sender, link, programs));
     senders.into_iter().flat_map(on_links).collect()
 }
 
-fn of(sender: Sender, link: &'static str, programs: u64) -> Stands {
-    let mut figures = Stands {
+fn of(sender: Sender, link: &'static str, programs: u64) -> StandingLaser {
+    let mut figures = StandingLaser {
         sender,
         link,
         programs: 0,
@@ -84,7 +84,7 @@ fn of(sender: Sender, link: &'static str, programs: u64) -> Stands {
     figures
 }
 
-fn one(figures: &mut Stands, personality: Personality, seed: u64) -> Result<(), Wrong> {
+fn one(figures: &mut StandingLaser, personality: Personality, seed: u64) -> Result<(), Wrong> {
     let mut chance = Chance::new(seed);
     let faults: Vec<&str> = figures.link.split_whitespace().collect();
     let mut scene = Scene::faulty(personality, &faults, seed)?;
@@ -92,22 +92,24 @@ fn one(figures: &mut Stands, personality: Personality, seed: u64) -> Result<(), 
         Sender::Job => figures.displaced += usize::from(!job(&mut scene, &mut chance)?),
         sender => program(&mut scene, &mut chance, sender)?,
     }
-    scene.it.run_for(Duration::from_secs(20));
-    if burns(&scene.it) {
+    scene.station.run_for(Duration::from_secs(20));
+    if burns(&scene.station) {
         return Err(Wrong("the laser is still on".into()));
     }
     // A stand is recorded by the motion after it.
-    scene.it.ask(scene.anna, Request::SeizeLease)?;
-    scene.it.ask(scene.anna, Request::ConfirmPose)?;
+    scene.station.ask(scene.anna, Request::SeizeLease)?;
+    scene.station.ask(scene.anna, Request::ConfirmPose)?;
     let command = vector([0.0, 0.0, 2.0], false);
-    scene.it.ask(scene.anna, Request::Command { command })?;
-    scene.it.run_for(Duration::from_secs(3));
+    scene
+        .station
+        .ask(scene.anna, Request::Command { command })?;
+    scene.station.run_for(Duration::from_secs(3));
     let off = |notice: &&dobot_api::Notice| notice.news == News::LaserOff;
-    figures.switched_off += scene.it.notices().iter().filter(off).count();
+    figures.switched_off += scene.station.notices().iter().filter(off).count();
     figures.programs += 1;
-    let stood_s = longest_stand_s(scene.it.arm().samples(), STANDS_MM);
+    let stood_s = longest_stand_s(scene.station.arm().samples(), STILL_MM);
     figures.stood_s.add(stood_s);
-    if stood_s > MOST_S {
+    if stood_s > MAX_S {
         figures.late += 1;
         return Err(Wrong(format!("it stood for {stood_s} s")));
     }
@@ -116,15 +118,15 @@ fn one(figures: &mut Stands, personality: Personality, seed: u64) -> Result<(), 
 
 /// Vectors that burn and others, with or without time between them; refusals are ignored.
 fn program(scene: &mut Scene, chance: &mut Chance, sender: Sender) -> Result<(), Wrong> {
-    let program = scene.it.client("an old program");
+    let program = scene.station.client("an old program");
     if sender == Sender::Packets {
-        scene.it.ask(scene.anna, Request::ReleaseLease)?;
+        scene.station.ask(scene.anna, Request::ReleaseLease)?;
         send(scene, program, sender, vector([0.0, 1.0, 0.0], false));
     }
     for step in 0_u8..25 {
         // A link that was lost has disarmed it.
         scene
-            .it
+            .station
             .ask(scene.anna, Request::ArmLaser { for_s: 600.0 })?;
         let side = if step % 2 == 0 { 1.0 } else { -1.0 };
         let y_mm = side * chance.between(1.0, 12.0);
@@ -135,7 +137,9 @@ fn program(scene: &mut Scene, chance: &mut Chance, sender: Sender) -> Result<(),
         };
         send(scene, program, sender, command);
         if chance.below(3) == 0 {
-            scene.it.run_for(chance.time(Duration::from_millis(900)));
+            scene
+                .station
+                .run_for(chance.time(Duration::from_millis(900)));
         }
     }
     Ok(())
@@ -145,9 +149,9 @@ fn send(scene: &mut Scene, program: ClientId, sender: Sender, command: Command) 
     // Some of it is refused: the arm is somewhere else than the program believes.
     if sender == Sender::Packets {
         let packet = command.emit(&scene.personality().dialect());
-        let _ = scene.it.send_raw(program, &packet);
+        let _ = scene.station.send_raw(program, &packet);
     } else {
-        let _ = scene.it.ask(scene.anna, Request::Command { command });
+        let _ = scene.station.ask(scene.anna, Request::Command { command });
     }
 }
 
@@ -155,33 +159,34 @@ fn send(scene: &mut Scene, program: ClientId, sender: Sender, command: Command) 
 fn job(scene: &mut Scene, chance: &mut Chance) -> Result<bool, Wrong> {
     let job = scene.begin(&Sort::Burn.job(chance))?;
     for _ in 0..chance.below(3) {
-        scene.it.run_for(chance.time(Duration::from_secs(8)));
+        scene.station.run_for(chance.time(Duration::from_secs(8)));
         let runs = |station: &VirtualStation| {
             let phase = station.supervisor().job().map(|job| job.phase);
             phase == Some(JobPhase::Running)
         };
-        if runs(&scene.it) {
-            scene.it.ask(scene.anna, Request::PauseJob)?;
+        if runs(&scene.station) {
+            scene.station.ask(scene.anna, Request::PauseJob)?;
         }
     }
     let finished = scene.finish(job);
-    let arm = scene.it.arm_mut();
+    let arm = scene.station.arm_mut();
     let lost = std::iter::from_fn(|| arm.poll_refused()).any(|refused| refused == Refused::TooLong);
     match finished {
-        Err(_) if lost && failed(&scene.it, job) => Ok(false),
+        Err(_) if lost && failed(&scene.station, job) => Ok(false),
         finished => finished.map(|()| true),
     }
 }
 
-fn failed(it: &VirtualStation, job: u64) -> bool {
-    it.job(job)
+fn failed(station: &VirtualStation, job: u64) -> bool {
+    station
+        .job(job)
         .is_ok_and(|job| matches!(job.state, JobState::Failed { .. }))
 }
 
 /// A laser at rest is off within that, in seconds.
-pub(crate) const MOST_S: f64 = 0.3;
+pub(crate) const MAX_S: f64 = 0.3;
 /// In the 20 ms from one sample to the next.
-const STANDS_MM: f64 = 0.001;
+const STILL_MM: f64 = 0.001;
 /// The second one lets packets heap up, of which a stock arm may lose one; the others lose no command.
 const LINKS: [&str; 4] = [
     "",
