@@ -74,10 +74,9 @@ async fn serve(mut messages: mpsc::Receiver<Message>, news: Arc<FakeNews>, asked
                     refusing.insert(ClientId(next));
                 }
                 assert!(role >= Role::Watch);
-                news.connected
-                    .lock()
-                    .expect("as above")
-                    .push((name, person));
+                let mut connected = news.connected.lock().expect("as above");
+                connected.push((name, person));
+                drop(connected);
                 // The receiver may be gone, here and below.
                 let _ = reply.send(ClientId(next));
                 next += 1;
