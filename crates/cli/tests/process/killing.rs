@@ -31,25 +31,38 @@ impl Burning {
         (station, Api::new(&page))
     }
 
-    /// Waits for what passes the wire to the arm, and keeps those that burn.
+    /// Waits for what passes the wire, and keeps commands that burn.
     fn next(&mut self) -> Passed {
-        loop {
-            let next = self.bench.arm.next();
-            match next {
-                Passed::FromArm(..) | Passed::Closed => continue,
-                Passed::ToArm(_, command) if burns(&command) => self.burnt.push(command),
-                Passed::ToArm(..) | Passed::Opened => {}
-            }
-            return next;
+        let next = self.bench.arm.next();
+        if let Passed::ToArm(_, command) = next
+            && burns(&command)
+        {
+            self.burnt.push(command);
         }
+        next
+    }
+
+    /// Resumes the job until this many vectors have burned. A station that hangs on a busy machine pauses it.
+    fn burns_until(&mut self, count: usize) -> RunningProcess {
+        let mut follower = self.start();
+        while self.burnt.len() < count {
+            if follower.has_ended() {
+                follower = self.start();
+            }
+            self.next();
+        }
+        follower
     }
 
     /// The first command after the wire was opened.
     fn first_of_station(&mut self) -> Command {
         while !matches!(self.next(), Passed::Opened) {}
-        match self.next() {
-            Passed::ToArm(_, command) => command,
-            other => panic!("{other:?} instead of a command"),
+        loop {
+            match self.next() {
+                Passed::ToArm(_, command) => return command,
+                Passed::FromArm(..) | Passed::Closed => {}
+                Passed::Opened => panic!("the wire was opened again before a command"),
+            }
         }
     }
 
@@ -73,10 +86,7 @@ fn a_station_killed_while_burning_first_switches_the_laser_off_and_then_finishes
     let submit = ["jobs", "submit", file.to_str().expect("the path is text")];
     burning.bench.dobot(&submit).succeeds();
     for kill in 1..=3 {
-        let _follower = burning.start();
-        while burning.burnt.len() < 4 * kill {
-            burning.next();
-        }
+        let _follower = burning.burns_until(4 * kill);
         station.kill();
         let (again, api) = burning.station();
         station = again;
@@ -92,7 +102,8 @@ fn a_station_killed_while_burning_first_switches_the_laser_off_and_then_finishes
             job["phase"] == "paused" && is_found
         });
     }
-    assert_eq!(burning.start().ends(), Some(0));
+    let all = job.commands.iter().filter(|command| burns(command)).count();
+    assert_eq!(burning.burns_until(all).ends(), Some(0));
     let job_1 = burning.bench.dobot(&["jobs", "show", "1", "--json"]);
     let job_1: Value = serde_json::from_str(&job_1.succeeds().stdout).expect("it is JSON");
     assert_eq!(job_1["phase"], "done", "{job_1}");

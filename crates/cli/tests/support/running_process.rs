@@ -96,6 +96,11 @@ impl RunningProcess {
         self.ends()
     }
 
+    /// Whether the process has ended.
+    pub(crate) fn has_ended(&mut self) -> bool {
+        self.child.try_wait().expect("it was started").is_some()
+    }
+
     /// Waits for the end, and returns the exit code.
     pub(crate) fn ends(mut self) -> Option<i32> {
         self.child.wait().expect("it ends").code()
