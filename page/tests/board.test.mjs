@@ -41,7 +41,7 @@ const text = (page, selector) => page.textContent(selector).then((it) => it.repl
 for (const [size, viewport] of Object.entries(SIZES)) {
   for (const colorScheme of ["light", "dark"]) {
     test(`axe finds nothing on a ${size} in the ${colorScheme} theme`, async () => {
-      const answer = ({ method, path }) => (path === "/api/v1/fleet/stop" && method === "DELETE" ? { body: [{ member: "desk-7", id: "7", answer: { status: 401, body: DENIED }, took_ms: 1 }] } : undefined);
+      const answer = ({ path, body }) => (path === "/api/v1/fleet/requests" && body.path === "/api/v1/stop" ? { body: [{ member: "desk-7", id: "7", answer: { status: 401, body: DENIED }, took_ms: 1 }] } : undefined);
       const members = crowd(30);
       const { page } = await open(members, { viewport, colorScheme, answer, submitted: queue(members) });
       await page.waitForSelector(".tile");

@@ -94,7 +94,7 @@ export async function mockStation(members, answer = () => undefined, submitted =
     if (pathname === "/api/v1/fleet/stop" || pathname === "/api/v1/fleet/requests") return json(response, 200, meant(body?.to ?? "all").map((it) => ({ member: it.name, id: it.id, answer: answerOf(it, body), took_ms: 1 })));
     return json(response, 404, { type: "/api/v1/problems/unknown-path", title: "nothing is here", status: 404, detail: `there is nothing at ${pathname}` });
   });
-  const answerOf = (it, { path, method, body }) => {
+  const answerOf = (it, { path, method, body } = {}) => {
     if (it.presence.type === "away") return { status: 503, body: { type: "/api/v1/problems/member-away", title: "away", status: 503, detail: `${it.name} cannot be reached` } };
     if (path === "/api/v1/learners") return { status: 200, body: learnersOf(it) };
     if (path === "/api/v1/slots") {
