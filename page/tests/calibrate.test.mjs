@@ -50,14 +50,18 @@ async function print() {
   return { sheet: /sheet (\d+):/.exec(svg)[1], bar_mm: right - left };
 }
 
-/** Has the arm stand as it would with its tip on a point. */
-async function stand(place) {
-  const [base_deg, rear_deg, fore_deg] = toldAt(place);
-  // From the right and from above.
+/** Moves the arm to a pose from the right and from above. */
+async function approach({ base_deg, rear_deg, fore_deg }) {
   for (const more of [-1, 0]) {
     const command = { type: "move_joints", base_deg: base_deg + more, rear_deg: rear_deg + more, fore_deg: fore_deg + more, servo_deg: 0, suction: false, gripper_deg: 0, mode: "movj", pause_s: 0 };
     await ask("POST", "api/v1/commands", { command });
   }
+}
+
+/** Has the arm stand as it would with its tip on a point. */
+async function stand(place) {
+  const [base_deg, rear_deg, fore_deg] = toldAt(place);
+  await approach({ base_deg, rear_deg, fore_deg });
   await page.waitForFunction((angles) => {
     const isThere = ([name, angle]) => Math.abs(Number(document.querySelector(`[data-pose=${name}]`).textContent) - angle) < 0.06;
     return Object.entries(angles).every(isThere) && !document.querySelector("#calibrate-touch").disabled;
@@ -145,6 +149,9 @@ test("the arm gets its angles with its base straight ahead, and a reset makes to
   await page.fill("#calibrate-number", sheet);
   await page.fill("#calibrate-bar", String(bar_mm));
   await page.keyboard.press("Enter");
+  await page.click("#release");
+  lease = (await ask("POST", "api/v1/lease", { name: "calibrate.test" })).token;
+  await approach((await bench.ask("api/v1/state")).arm);
   await page.click("#calibrate-touch");
   await waitForText("calibrate-point", "point 2 ");
   await ask("PUT", "api/v1/faults", { faults: ["reset@10ms"], seed: 0 });
