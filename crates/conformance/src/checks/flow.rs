@@ -47,7 +47,7 @@ pub(crate) fn again(rig: &Rig) -> Outcome {
     };
     let corners = flow.corners(&[0, 1, 2, 3, 4, 5]);
     let (step, off) = nearest(&corners, &first.status);
-    // Side 0 is that of the slow vector, side 3 that of the third behind it. Over USB three of six wait
+    // Side 0 is that of the slow vector, side 3 that of the third after it. Over USB three of six wait
     // behind that one; over Bluetooth, where five may, they wait behind the first.
     let expected = if rig.is_bluetooth() { [1, 2] } else { [3, 4] };
     Outcome::of(

@@ -95,7 +95,7 @@ fn stock_ticks(way_deg: f32) -> u8 {
 fn apart(seen: &[TimedStatus], from_deg: f32, to_deg: f32, steady: bool) -> Option<f64> {
     let gone = |it: &TimedStatus| it.status.base_deg - from_deg;
     let numbered = || seen.iter().enumerate();
-    // The farthest status: before it the first turn, behind it the second one.
+    // The farthest status: before it the first turn, after it the second one.
     let (turned, _) = numbered().max_by(|(_, a), (_, b)| gone(a).total_cmp(&gone(b)))?;
     let first = numbered()
         .take(turned)

@@ -442,7 +442,7 @@ async fn a_pump_that_cannot_be_switched_is_caught() {
 
 #[tokio::test]
 async fn the_third_of_the_waiting_commands_lost_is_caught() {
-    // The slow vector is the only one with a largest speed of 3; the third behind it is lost.
+    // The slow vector is the only one with a largest speed of 3; the third after it is lost.
     let mut behind = u32::MAX;
     let broken = good().obeys(move |frame| {
         behind = behind.saturating_add(1);

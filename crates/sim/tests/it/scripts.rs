@@ -44,7 +44,7 @@ impl Kind {
             Self::Lines => "straight lines (MOVL) to points and angles",
             Self::Jumps => "JUMPs to points and angles",
             Self::Vectors => "write vectors",
-            Self::Settings => "settings (states 9 and 10), each with a motion behind it",
+            Self::Settings => "settings (states 9 and 10), each followed by a motion",
             Self::Mixtures => "all of these, mixed",
         }
     }

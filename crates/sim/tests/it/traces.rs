@@ -33,7 +33,7 @@ fn the_page_on_fidelity_is_what_its_command_prints() {
     let page = std::fs::read_to_string(&path).unwrap_or_default();
     assert!(
         page == report(),
-        "docs/fidelity.md is old; `cargo run -p dobot-examples --example fidelity > docs/fidelity.md` writes it anew"
+        "docs/fidelity.md is out of date; regenerate it with `cargo run -p dobot-examples --example fidelity > docs/fidelity.md`"
     );
 }
 

@@ -25,7 +25,7 @@ impl ProgramDocument {
         })
     }
 
-    /// Ends a `repeat` or an `each` after one of its steps: the steps that follow in it are moved behind it.
+    /// Ends a `repeat` or an `each` after one of its steps: the steps that follow in it are moved out, after it.
     ///
     /// # Errors
     ///

@@ -182,21 +182,9 @@ fn a_program_runs_faster_and_slower_while_it_is_running() {
         let mut mean_s = [100.0, 25.0, 200.0].map(|percent| {
             station.ask(anna, Request::SetJobSpeed { percent }).unwrap();
             station.run_for(Duration::from_secs(100));
-            let before = station
-                .supervisor()
-                .job()
-                .unwrap()
-                .program
-                .unwrap()
-                .cycles_done;
+            let before = cycles_done(&station);
             station.run_for(Duration::from_secs(400));
-            let after = station
-                .supervisor()
-                .job()
-                .unwrap()
-                .program
-                .unwrap()
-                .cycles_done;
+            let after = cycles_done(&station);
             400.0 / f64::from(u32::try_from(after - before).unwrap())
         });
         mean_s.rotate_right(1);
@@ -207,4 +195,9 @@ fn a_program_runs_faster_and_slower_while_it_is_running() {
             .unwrap_err();
         assert!(refused.to_string().contains("10 to 200 %"), "{refused}");
     }
+}
+
+fn cycles_done(station: &VirtualStation) -> u64 {
+    let job = station.supervisor().job().unwrap();
+    job.program.unwrap().cycles_done
 }

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{JobKind, NewJob};
+use dobot_api::{ClientId, JobKind, NewJob, Request};
 use dobot_arm::{Millimeters, Position};
 use dobot_controller::{Personality, PowerUp};
 use dobot_host::VirtualStation;
@@ -21,6 +21,22 @@ pub(crate) fn virtual_station(personality: Personality) -> VirtualStation {
     virtual_station.arm_mut().record(RECORDING_PERIOD);
     virtual_station.run_for(Duration::from_secs(1));
     virtual_station
+}
+
+/// Takes control, arms the laser and starts to burn a spiral; returns the job.
+pub(crate) fn start_burning(station: &mut VirtualStation, client: ClientId) -> u64 {
+    station.ask(client, Request::TakeLease).unwrap();
+    let job = station.submit(&burnt_spiral(20)).unwrap();
+    let armed = station.ask(client, Request::ArmLaser { for_s: 600.0 });
+    armed.unwrap();
+    station.start(client, job).unwrap();
+    job
+}
+
+/// Whether the journal holds a job as paused.
+pub(crate) fn is_paused(station: &VirtualStation, job: u64) -> bool {
+    let job = station.job(job).unwrap();
+    job.state.to_string().starts_with("paused")
 }
 
 /// A spiral of straight lines: no two of its points are near each other.

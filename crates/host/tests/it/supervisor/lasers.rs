@@ -9,7 +9,7 @@ use dobot_host::VirtualStation;
 use dobot_supervisor::Refusal;
 use dobot_wire::{Command, Configuration, MoveTo, WriteMode, WriteVector};
 
-use super::drawing::{burnt_spiral, virtual_station};
+use super::drawing::{burnt_spiral, start_burning, virtual_station};
 
 const PERSONALITIES: [Personality; 2] = Personality::ALL;
 
@@ -17,12 +17,7 @@ const PERSONALITIES: [Personality; 2] = Personality::ALL;
 fn burning(personality: Personality) -> (VirtualStation, ClientId, u64) {
     let mut station = virtual_station(personality);
     let anna = station.client("Anna");
-    station.ask(anna, Request::TakeLease).unwrap();
-    let job = station.submit(&burnt_spiral(20)).unwrap();
-    station
-        .ask(anna, Request::ArmLaser { for_s: 600.0 })
-        .unwrap();
-    station.start(anna, job).unwrap();
+    let job = start_burning(&mut station, anna);
     let minute = station.now() + Duration::from_secs(60);
     assert!(
         station.run_until(minute, burns),

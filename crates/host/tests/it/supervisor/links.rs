@@ -16,16 +16,7 @@ use dobot_supervisor::{Refusal, Supervisor};
 use dobot_wire::{Dialect, Packet};
 use proptest::prelude::*;
 
-use super::drawing::{burnt_spiral, drawn_mm, spiral, virtual_station, wanted_mm};
-
-fn paused(station: &VirtualStation, job: u64) -> bool {
-    station
-        .job(job)
-        .unwrap()
-        .state
-        .to_string()
-        .starts_with("paused")
-}
+use super::drawing::{drawn_mm, is_paused, spiral, start_burning, virtual_station, wanted_mm};
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
@@ -49,7 +40,7 @@ proptest! {
         let is_over = |station: &VirtualStation| station.job(job).unwrap().state.is_over();
         for _ in 0..3 {
             let minutes = station.now() + Duration::from_mins(3);
-            prop_assert!(station.run_until(minutes, |station| paused(station, job) || is_over(station)));
+            prop_assert!(station.run_until(minutes, |station| is_paused(station, job) || is_over(station)));
             if is_over(&station) {
                 break;
             }
@@ -91,7 +82,7 @@ fn after_a_reset_the_arm_cannot_be_moved_until_its_pose_is_confirmed() {
     station.run_for(Duration::from_secs(20));
     let state = station.supervisor().state();
     assert!(!state.trust.trusted, "{:?}", state.trust);
-    assert!(paused(&station, job));
+    assert!(is_paused(&station, job));
     let refused = station.start(anna, job).unwrap_err();
     assert!(
         refused.hint().is_some_and(|hint| hint.contains("confirm")),
@@ -134,12 +125,7 @@ fn damaged_statuses_are_counted_and_the_drawing_is_still_right() {
 fn burning_until(fault: &str) -> (VirtualStation, ClientId, u64) {
     let mut station = faulty(fault);
     let anna = station.client("Anna");
-    station.ask(anna, Request::TakeLease).unwrap();
-    let job = station.submit(&burnt_spiral(20)).unwrap();
-    station
-        .ask(anna, Request::ArmLaser { for_s: 600.0 })
-        .unwrap();
-    station.start(anna, job).unwrap();
+    let job = start_burning(&mut station, anna);
     (station, anna, job)
 }
 
@@ -157,7 +143,7 @@ fn assert_armed_anew(station: &mut VirtualStation, anna: ClientId, job: u64, wha
     );
     let latest = station.now() + Duration::from_secs(20);
     let up = |station: &VirtualStation| {
-        station.supervisor().state().link.phase == LinkPhase::Up && paused(station, job)
+        station.supervisor().state().link.phase == LinkPhase::Up && is_paused(station, job)
     };
     assert!(station.run_until(latest, up), "{what}");
     station.run_for(Duration::from_secs(3));

@@ -7,7 +7,7 @@ use dobot_controller::Personality;
 use dobot_host::VirtualStation;
 use dobot_wire::{Command, MoveTo, MovingMode, Packet, WriteVector};
 
-use super::drawing::{drawn_mm, is_over, spiral, virtual_station, wanted_mm};
+use super::drawing::{drawn_mm, is_over, is_paused, spiral, virtual_station, wanted_mm};
 
 /// A drawing that is at work.
 fn drawing() -> (VirtualStation, ClientId, u64, NewJob) {
@@ -21,18 +21,9 @@ fn drawing() -> (VirtualStation, ClientId, u64, NewJob) {
     (station, anna, job, drawing)
 }
 
-fn paused(station: &VirtualStation, job: u64) -> bool {
-    station
-        .job(job)
-        .unwrap()
-        .state
-        .to_string()
-        .starts_with("paused")
-}
-
 fn wait_until_paused(station: &mut VirtualStation, job: u64) {
     let minute = station.now() + Duration::from_secs(60);
-    assert!(station.run_until(minute, |station| paused(station, job)));
+    assert!(station.run_until(minute, |station| is_paused(station, job)));
 }
 
 fn finish(station: &mut VirtualStation, anna: ClientId, job: u64, drawing: &NewJob) {
@@ -174,7 +165,7 @@ fn a_paused_job_does_not_block_another_one() {
     station.start(anna, other).unwrap();
     let minute = station.now() + Duration::from_secs(60);
     assert!(station.run_until(minute, |station| is_over(station, other)));
-    assert!(paused(&station, job));
+    assert!(is_paused(&station, job));
     finish(&mut station, anna, job, &drawing);
 }
 

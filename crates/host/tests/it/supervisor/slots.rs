@@ -9,7 +9,7 @@ use dobot_motion::LASER_OFF;
 use dobot_wire::{Command, Dialect, LinearJog, LinearJogAxis, Packet};
 use proptest::prelude::*;
 
-use super::drawing::{burnt_spiral, is_over, spiral, virtual_station};
+use super::drawing::{is_over, spiral, start_burning, virtual_station};
 use super::lasers::{SOON, burns};
 use crate::cases::commands::vector;
 
@@ -128,12 +128,7 @@ fn a_person_is_identified_by_the_token_and_not_by_the_name_of_the_client() {
 fn a_burning_laser_is_switched_off_when_the_slot_ends_and_the_arm_comes_to_rest() {
     for personality in Personality::ALL {
         let (mut station, [teacher, anna, ben]) = class(personality);
-        station.ask(anna, Request::TakeLease).unwrap();
-        let job = station.submit(&burnt_spiral(20)).unwrap();
-        station
-            .ask(anna, Request::ArmLaser { for_s: 600.0 })
-            .unwrap();
-        station.start(anna, job).unwrap();
+        let job = start_burning(&mut station, anna);
         let minute = station.now() + Duration::from_mins(1);
         assert!(station.run_until(minute, burns), "{personality}");
         let ends = station.now() + Duration::from_secs(1);

@@ -30,7 +30,7 @@ impl Lesson {
     }
 
     /// Ends the repeat or the `each` around the selected step after this step; the steps that follow in it are moved
-    /// behind it. Returns its name.
+    /// after it. Returns its name.
     pub(crate) fn end_block(&mut self) -> Result<&'static str, ProgramError> {
         if self.begun.is_some() {
             return Err(ProgramError::new(

@@ -32,7 +32,7 @@ impl Teacher {
     /// Ends the repeat around the selected step.
     pub(super) fn end_block(&mut self) {
         let text = match self.lesson.end_block() {
-            Ok(name) => format!("the {name} ends here; new steps are added behind it"),
+            Ok(name) => format!("the {name} ends here; new steps are added after it"),
             Err(error) => error.to_string(),
         };
         self.pendant.show(text);
