@@ -8,7 +8,7 @@ use dobot_api::{NewJob, Problem};
 use dobot_draw::ProgramFiles;
 use dobot_host::{PlannedFor, dry_run};
 use dobot_teach::{
-    Action, Compiled, NoFiles, Point, Program, ProgramDocument, ProgramError, ProgramForm,
+    Action, Compiled, Files, Point, Program, ProgramDocument, ProgramError, ProgramForm,
     RecordedPlace, Times, ToolState, check, path_steps, simplified,
 };
 use schemars::JsonSchema;
@@ -190,6 +190,9 @@ pub(crate) struct ConvertProgram {
     /// The format of the bytes; a text is a program.
     #[serde(default)]
     from: ProgramForm,
+    /// The texts of the programs that it calls and of its drawings, by the names used in it.
+    #[serde(default)]
+    files: BTreeMap<String, String>,
     /// The target format.
     to: ProgramForm,
 }
@@ -203,8 +206,11 @@ pub(crate) struct ConvertedProgram {
     warnings: Vec<String>,
 }
 
-/// Converts a program to another format.
-pub(crate) fn convert(asked: &ConvertProgram) -> Result<ConvertedProgram, Problem> {
+/// Converts a program to another format, for an arm with this dialect and calibration.
+pub(crate) fn convert(
+    asked: &ConvertProgram,
+    arm: &PlannedFor,
+) -> Result<ConvertedProgram, Problem> {
     let bad = |error: ProgramError| BAD_PROGRAM.problem(error.to_string());
     let bytes = match (&asked.text, &asked.data) {
         (Some(text), None) => text.clone().into_bytes(),
@@ -216,7 +222,7 @@ pub(crate) fn convert(asked: &ConvertProgram) -> Result<ConvertedProgram, Proble
     let program = asked.from.read(&bytes).map_err(bad)?;
     let written = asked
         .to
-        .write(&program.content, &mut NoFiles)
+        .write(&program.content, &mut program_files(&asked.files, arm))
         .map_err(bad)?;
     let mut warnings = program.warnings;
     warnings.extend(written.warnings);
@@ -373,12 +379,17 @@ fn apply(document: &mut ProgramDocument, edit: Edit) -> Result<(), ProgramError>
 }
 
 fn compile(program: &ProgramText, arm: &PlannedFor) -> Result<Compiled, ProgramError> {
-    let read = |path: &str| match program.files.get(path) {
+    let mut files = program_files(&program.files, arm);
+    Program::from_toml(&program.text)?.compile_for(&arm.arm(), &mut files)
+}
+
+/// Returns the files that came with a program.
+fn program_files(files: &BTreeMap<String, String>, arm: &PlannedFor) -> impl Files {
+    let read = |path: &str| match files.get(path) {
         Some(text) => Ok(text.clone().into_bytes()),
         None => Err(format!("{path} is missing; add it to `files`")),
     };
-    let mut files = ProgramFiles::new(read, arm.dialect(), arm.calibration.clone());
-    Program::from_toml(&program.text)?.compile_for(&arm.arm(), &mut files)
+    ProgramFiles::new(read, arm.dialect(), arm.calibration.clone())
 }
 
 /// The allowed distance of the lines of a path from its points.

@@ -85,9 +85,11 @@ async fn edit(Body(asked): Body<EditProgram, JOB>) -> Result<Json<EditedProgram>
 }
 
 async fn convert(
+    State(app): State<Arc<App>>,
     Body(asked): Body<ConvertProgram, JOB>,
 ) -> Result<Json<ConvertedProgram>, RequestFailed> {
-    Ok(Json(beside(move || programs::convert(&asked)).await??))
+    let converted = beside(move || programs::convert(&asked, &app.planned_for())).await??;
+    Ok(Json(converted))
 }
 
 async fn submit(

@@ -213,7 +213,16 @@ async fn a_vendor_file_becomes_a_program_and_a_vendor_file_again() {
         assert!(back.contains("rear = 40"), "{back}");
         assert_eq!(back.matches("[[steps]]").count(), 2, "{back}");
     }
+    let calls =
+        "[[steps]]\ncall = \"twist.toml\"\n\n[[steps]]\ngo = { base = 10, rear = 40, fore = 45 }\n";
+    let answer = ask(json!({"text": calls, "to": "play", "files": {"twist.toml": text}})).await;
+    let file = answer.is(200).value();
+    let points = dobot_teach::ProgramForm::Play
+        .read(file["text"].as_str().unwrap().as_bytes())
+        .unwrap();
+    assert_eq!(points.content.steps.0.len(), 3, "{file}");
     for wrong in [
+        json!({"text": calls, "to": "play"}),
         json!({"to": "xml"}),
         json!({"data": "%", "from": "xml", "to": "toml"}),
         json!({"text": "nonsense", "to": "xml"}),
