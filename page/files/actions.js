@@ -107,7 +107,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
       if (!(await isFreeLater(before))) return;
       const { station } = store.page;
       // A state sent before the arm turned reports it at rest: the station knows better and refuses.
-      answer = station && rests(station) ? await socket.ask({ type: "tell_angles" }) : null;
+      answer = station && rests(station) ? await socket.ask({ type: "set_angles" }) : null;
     } while (!answer || isStillMoving(answer.problem));
     if (answer.problem) send({ type: "problem", problem: answer.problem });
   }

@@ -1581,7 +1581,7 @@ export interface components {
              */
             gripper_deg: number;
             /** @description The raw status of a calibrated arm. */
-            told?: components["schemas"]["Status"] | null;
+            raw?: components["schemas"]["Status"] | null;
             /**
              * @description Whether the arm moves or may still move; otherwise it is at rest: no command waits or is in flight, no
              *     button is held, and the last statuses are equal.
@@ -1678,7 +1678,7 @@ export interface components {
              * @description Whether the arm was given its true angles (state 9, mode 3) since it was switched on: then
              *     only its tool is offset from what it reports.
              */
-            zeros_told: boolean;
+            angles_set: boolean;
         };
         /**
          * @description What the packets mean: as the published document says, or as stock arms do (firmware 1.1).
@@ -3625,10 +3625,10 @@ export interface components {
              */
             height_mm: number;
             /**
-             * @description The raw angles of base, rear arm and forearm, in degrees: `told` of the state of an arm that
+             * @description The raw angles of base, rear arm and forearm, in degrees: `raw` of the state of an arm that
              *     is already calibrated.
              */
-            told_deg: number[];
+            raw_deg: number[];
         };
         /** @description The result of fitting a calibration. */
         FitReport: {
@@ -6005,7 +6005,7 @@ export interface components {
             type: "confirm_pose";
         } | {
             /** @constant */
-            type: "tell_angles";
+            type: "set_angles";
         } | {
             /** @constant */
             type: "calibrate";
@@ -11319,7 +11319,7 @@ export interface operations {
                  *             215,
                  *             0
                  *           ],
-                 *           "told_deg": [
+                 *           "raw_deg": [
                  *             0,
                  *             35.1,
                  *             47.2
@@ -11330,7 +11330,7 @@ export interface operations {
                  *             155,
                  *             100
                  *           ],
-                 *           "told_deg": [
+                 *           "raw_deg": [
                  *             32.8,
                  *             20.4,
                  *             51
@@ -11341,7 +11341,7 @@ export interface operations {
                  *             275,
                  *             100
                  *           ],
-                 *           "told_deg": [
+                 *           "raw_deg": [
                  *             20,
                  *             58.6,
                  *             40.3
@@ -11352,7 +11352,7 @@ export interface operations {
                  *             275,
                  *             -100
                  *           ],
-                 *           "told_deg": [
+                 *           "raw_deg": [
                  *             -20,
                  *             58.6,
                  *             40.3
@@ -11650,7 +11650,7 @@ export interface operations {
                  *             215,
                  *             0
                  *           ],
-                 *           "told_deg": [
+                 *           "raw_deg": [
                  *             0,
                  *             35.1,
                  *             47.2
@@ -11661,7 +11661,7 @@ export interface operations {
                  *             155,
                  *             100
                  *           ],
-                 *           "told_deg": [
+                 *           "raw_deg": [
                  *             32.8,
                  *             20.4,
                  *             51
@@ -11672,7 +11672,7 @@ export interface operations {
                  *             275,
                  *             100
                  *           ],
-                 *           "told_deg": [
+                 *           "raw_deg": [
                  *             20,
                  *             58.6,
                  *             40.3
@@ -11683,7 +11683,7 @@ export interface operations {
                  *             275,
                  *             -100
                  *           ],
-                 *           "told_deg": [
+                 *           "raw_deg": [
                  *             -20,
                  *             58.6,
                  *             40.3

@@ -140,7 +140,7 @@ test("the arm gets its angles with its base straight ahead, and a reset makes to
   await page.click("#confirm-yes");
   await waitForText("calibrate-known", "angles were sent");
   await page.waitForFunction(() => Math.abs(Number(document.querySelector("[data-pose=base_deg]").textContent)) < 0.1);
-  assert.equal((await bench.ask("api/v1/state")).calibrated.zeros_told, true);
+  assert.equal((await bench.ask("api/v1/state")).calibrated.angles_set, true);
   assert.equal(await page.locator("#calibrate-angles").count(), 0);
   await page.click("#confirm-pose");
   await page.click("#confirm-yes");

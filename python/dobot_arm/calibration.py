@@ -82,12 +82,12 @@ class Calibration:
         """The text of a file for ``dobot calibrate FILE --use``, which makes it active for that arm."""
         return self._calibrated.text
 
-    def told_place(self, x: float, y: float, z: float) -> tuple[float, float, float]:
+    def raw_place(self, x: float, y: float, z: float) -> tuple[float, float, float]:
         """The raw position to command for a calibrated position of the tool, in mm.
 
         Raises :class:`ValueError` if the tool cannot reach it.
         """
-        return self._calibrated.told_place(x, y, z)
+        return self._calibrated.raw_place(x, y, z)
 
     def true_place(self, x: float, y: float, z: float) -> tuple[float, float, float]:
         """The calibrated position for a raw position, in mm."""

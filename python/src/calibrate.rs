@@ -90,9 +90,9 @@ impl Calibrated {
     }
 
     /// Returns the raw position to command for a calibrated position of the tool, in mm.
-    fn told_place(&self, x_mm: f64, y_mm: f64, z_mm: f64) -> PyResult<(f64, f64, f64)> {
+    fn raw_place(&self, x_mm: f64, y_mm: f64, z_mm: f64) -> PyResult<(f64, f64, f64)> {
         let place = Position::new(x_mm, y_mm, z_mm);
-        let raw = self.fit.arm.told_place(place, TOOL);
+        let raw = self.fit.arm.raw_place(place, TOOL);
         Ok(numbers(raw.map_err(|error| value_error(&error))?))
     }
 

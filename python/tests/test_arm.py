@@ -33,7 +33,7 @@ def test_joint_angles_are_degrees() -> None:
         assert arm.joints.base_deg == pytest.approx(30, abs=0.5)
 
 
-def test_the_suction_cup_stays_as_it_is_unless_told_otherwise() -> None:
+def test_a_move_leaves_the_suction_cup_as_it_is_by_default() -> None:
     with dobot.connect("virtual:") as arm:
         assert arm.move_to(220, 0, 20, suction=True).suction
         assert arm.move_to(220, 20, 20).suction
@@ -41,7 +41,7 @@ def test_the_suction_cup_stays_as_it_is_unless_told_otherwise() -> None:
 
 
 @pytest.mark.parametrize("x", [900.0, math.nan, math.inf])
-def test_what_the_arm_cannot_reach_is_refused_and_moves_nothing(x: float) -> None:
+def test_an_unreachable_target_is_refused_and_nothing_moves(x: float) -> None:
     with dobot.connect("virtual:") as arm:
         before = arm.status()
         with pytest.raises(dobot.Refused) as refused:
@@ -66,7 +66,7 @@ def test_an_arm_that_was_let_go_of_says_so() -> None:
         arm.move_to(220, 0, 20)
 
 
-def test_a_place_and_a_path_that_do_not_exist_are_told_with_what_is_allowed() -> None:
+def test_errors_for_unknown_points_and_paths_name_the_allowed_values() -> None:
     with pytest.raises(ValueError, match="virtual:"):
         dobot.connect("nowhere")
     with dobot.connect("virtual:") as arm, pytest.raises(ValueError, match="movl"):
@@ -126,10 +126,10 @@ def test_a_file_is_planned_and_drawn_as_the_documentation_says() -> None:
         assert arm.status().suction
         plan = dobot.plan(HARBOUR, paper="a5")
         assert plan.vectors > 100
-        told: list[tuple[int, int]] = []
-        arm.draw(plan, progress=lambda *it: told.append(it))
-        assert told == sorted(told)
-        completed, commands = told[-1]
+        reported: list[tuple[int, int]] = []
+        arm.draw(plan, progress=lambda *it: reported.append(it))
+        assert reported == sorted(reported)
+        completed, commands = reported[-1]
         assert 100 < completed <= commands
 
 
@@ -139,7 +139,7 @@ def test_a_text_is_drawn_and_shows_itself() -> None:
     assert plan._repr_svg_().startswith("<svg")
 
 
-def test_a_text_stands_below_the_file_that_it_comes_with(tmp_path: Path) -> None:
+def test_a_text_is_drawn_below_the_file_given_with_it(tmp_path: Path) -> None:
     square = tmp_path / "square.svg"
     square.write_text(
         '<svg xmlns="http://www.w3.org/2000/svg" width="30mm" height="30mm" viewBox="0 0 30 30">'
@@ -150,7 +150,7 @@ def test_a_text_stands_below_the_file_that_it_comes_with(tmp_path: Path) -> None
     assert both.title == "square.svg" and both.drawn_mm > alone.drawn_mm + 20
 
 
-def test_what_cannot_be_planned_says_why() -> None:
+def test_a_drawing_that_cannot_be_planned_gives_the_reason() -> None:
     with pytest.raises(TypeError, match="paper_size"):
         dobot.plan(text="Hello", sheet="a5")
     with pytest.raises(TypeError, match="text="):
@@ -163,7 +163,7 @@ def test_what_cannot_be_planned_says_why() -> None:
         dobot.plan("no-such-file.svg")
 
 
-def test_a_drawing_is_stopped_by_what_its_progress_raises(station: str) -> None:
+def test_an_exception_in_the_progress_callback_stops_the_drawing(station: str) -> None:
     def enough(completed: int, commands: int) -> None:
         raise RuntimeError("enough")
 
@@ -205,7 +205,7 @@ def test_nothing_else_moves_the_arm_while_a_button_is_held() -> None:
             arm.move_to(220, 0, 20)
 
 
-def test_what_goes_wrong_in_a_jog_is_told_and_the_button_is_let_go() -> None:
+def test_an_error_during_a_jog_is_raised_and_the_button_released() -> None:
     with dobot.connect("virtual:") as arm:
         arm.move_to(200, 0, 60)
         with pytest.raises(RuntimeError, match="enough"), arm.jog("y+"):
@@ -213,7 +213,7 @@ def test_what_goes_wrong_in_a_jog_is_told_and_the_button_is_let_go() -> None:
         arm.move_to(220, 0, 20)
 
 
-def test_a_button_that_does_not_exist_is_told_with_what_is_allowed() -> None:
+def test_the_error_for_an_unknown_button_names_the_allowed_ones() -> None:
     with dobot.connect("virtual:") as arm:
         with pytest.raises(ValueError, match="base"), arm.jog("up"):  # type: ignore[arg-type]
             pass
@@ -293,7 +293,7 @@ with dobot.connect(sys.argv[1]) as arm:
 """
 
 
-def test_an_arm_is_told_to_stop_when_the_interpreter_that_jogs_it_is_killed(
+def test_the_arm_stops_when_the_interpreter_that_jogs_it_is_killed(
     station: str, tmp_path: Path
 ) -> None:
     with dobot.connect(station) as watcher:
@@ -305,8 +305,8 @@ def test_an_arm_is_told_to_stop_when_the_interpreter_that_jogs_it_is_killed(
         assert any(jogs_sent(tmp_path)[-1] == "released" for _ in islice(statuses, 200))
         assert "y_plus" in jogs_sent(tmp_path)
         # It decelerates, and then rests.
-        told = (it.y_mm for it in islice(statuses, 200))
-        ended = next((y_mm for y_mm, next_mm in pairwise(told) if y_mm == next_mm), None)
+        reported = (it.y_mm for it in islice(statuses, 200))
+        ended = next((y_mm for y_mm, next_mm in pairwise(reported) if y_mm == next_mm), None)
         watcher.wait(0.5)
         assert watcher.status().y_mm == ended
 
@@ -372,8 +372,8 @@ def sent(folder: Path, kind: str) -> list[str]:
     log = subprocess.run(
         [os.environ["DOBOT"], "log", str(file), "--json"], capture_output=True, text=True, check=True
     )
-    told = [json.loads(line).get("command") for line in log.stdout.splitlines()]
-    return ["none", *(it["axis"] for it in told if it and it["type"] == kind)]
+    reported = [json.loads(line).get("command") for line in log.stdout.splitlines()]
+    return ["none", *(it["axis"] for it in reported if it and it["type"] == kind)]
 
 
 def test_coroutines_move_the_arm_and_hear_its_statuses_meanwhile() -> None:
@@ -409,9 +409,9 @@ def test_loops_may_share_an_arm_one_after_the_other_and_at_once() -> None:
         return asyncio.run(arm.move_to(200, y_mm, 40)).y_mm
 
     with ThreadPoolExecutor() as threads:
-        told = list(threads.map(in_a_loop_of_its_own, (0, 30)))
+        reported = list(threads.map(in_a_loop_of_its_own, (0, 30)))
     # Each waits for its own motion, or for that and the next one.
-    assert {round(it) for it in told} <= {0, 30}
+    assert {round(it) for it in reported} <= {0, 30}
     assert round(asyncio.run(arm.status()).y_mm) in (0, 30)
     asyncio.run(arm.close())
 

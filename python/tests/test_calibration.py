@@ -16,14 +16,14 @@ def touches(arm: dobot.Arm) -> list[dobot.Touch]:
     """Touches of the points of the sheet, from the true position of the arm."""
     found = []
     for x, y in dobot.SHEET:
-        told = [x, y, -20.0]
+        reported = [x, y, -20.0]
         for _ in range(20):
-            arm.move_to(*told, path="movj")
+            arm.move_to(*reported, path="movj")
             true = arm.world().state["arm"]
             off = [true["x_mm"] - x, true["y_mm"] - y, true["z_mm"] + 20]
             if math.hypot(*off) < 0.1:
                 break
-            told = [a - b for a, b in zip(told, off)]
+            reported = [a - b for a, b in zip(reported, off)]
         else:
             pytest.fail(f"it does not reach {x}, {y}")
         found.append(dobot.Touch(x, y, arm.status()))
@@ -37,10 +37,10 @@ def test_zeros_are_found_from_nine_touches(virtual_arm: dobot.Arm) -> None:
     assert found.trust == "good" and found.wrong == []
     assert max(found.residuals_mm) < 0.3 and found.expected_mm < 0.5
     # The raw position leads to the calibrated one.
-    virtual_arm.move_to(*found.told_place(230, 40, 0), path="movj")
+    virtual_arm.move_to(*found.raw_place(230, 40, 0), path="movj")
     true = virtual_arm.world().state["arm"]
     assert math.dist((true["x_mm"], true["y_mm"], true["z_mm"]), (230, 40, 0)) < 0.5
-    there = found.true_place(*found.told_place(230, 40, 0))
+    there = found.true_place(*found.raw_place(230, 40, 0))
     assert there == pytest.approx((230, 40, 0), abs=1e-6)
     assert "[zeros]" in found.text and found._repr_svg_().startswith("<svg")
 
@@ -53,4 +53,4 @@ def test_touches_that_tell_no_calibration_say_why(virtual_arm: dobot.Arm) -> Non
     wrong = [replace(good[0], x_mm=good[0].x_mm + 12), *good[1:]]
     assert dobot.calibrate(wrong).wrong == [0]
     with pytest.raises(ValueError):
-        dobot.calibrate(good).told_place(600, 0, 0)
+        dobot.calibrate(good).raw_place(600, 0, 0)

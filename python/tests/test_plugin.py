@@ -34,12 +34,12 @@ def tried(folder: Path, test: str, *words: str) -> str:
     return subprocess.run(run, capture_output=True, text=True, cwd=folder, check=False).stdout
 
 
-def test_an_unknown_personality_is_told(tmp_path: Path) -> None:
-    told = tried(tmp_path, f"def test_it(virtual_arm):{LOOK}", "--dobot-personality", "robot")
-    assert "firmware-1.1" in told and "1 error" in told, told
+def test_an_unknown_personality_is_an_error(tmp_path: Path) -> None:
+    reported = tried(tmp_path, f"def test_it(virtual_arm):{LOOK}", "--dobot-personality", "robot")
+    assert "firmware-1.1" in reported and "1 error" in reported, reported
 
 
-def test_a_marker_that_says_something_else_is_told(tmp_path: Path) -> None:
+def test_a_marker_with_an_unknown_option_is_an_error(tmp_path: Path) -> None:
     test = f"import pytest\n@pytest.mark.dobot('firmware-1.1')\ndef test_it(virtual_arm):{LOOK}"
     assert 'dobot(personality="firmware-1.1", world=' in tried(tmp_path, test)
 

@@ -23,22 +23,22 @@ POINTS = {"here": {"x": 200, "y": 60, "z": 0}, "there": {"x": 200, "y": -60, "z"
 
 def test_a_program_made_of_steps_is_done_step_by_step() -> None:
     program = dobot.program(title="to and fro", points=POINTS, steps=TO_AND_FRO)
-    told: list[tuple[int, int]] = []
+    reported: list[tuple[int, int]] = []
     with dobot.connect("virtual:firmware-1.1") as arm:
-        arm.run(program, progress=lambda step, steps, cycle, cycles: told.append((step, steps)))
+        arm.run(program, progress=lambda step, steps, cycle, cycles: reported.append((step, steps)))
         end = arm.status()
         assert (end.x_mm, end.y_mm, end.z_mm) == pytest.approx((200, -60, 0), abs=0.5)
         assert not end.suction
-    assert told == sorted(told) and {step for step, _ in told} == {1, 2}
-    assert {steps for _, steps in told} == {2}
+    assert reported == sorted(reported) and {step for step, _ in reported} == {1, 2}
+    assert {steps for _, steps in reported} == {2}
 
 
 def test_a_program_is_done_as_often_as_asked() -> None:
     program = dobot.program(points=POINTS, steps=TO_AND_FRO)
     with dobot.connect("virtual:firmware-1.1") as arm:
-        told: list[tuple[int, int | None]] = []
-        arm.run(program, times=3, progress=lambda step, steps, cycle, cycles: told.append((cycle, cycles)))
-        assert {cycle for cycle, _ in told} >= {1, 2, 3} and {cycles for _, cycles in told} == {3}
+        reported: list[tuple[int, int | None]] = []
+        arm.run(program, times=3, progress=lambda step, steps, cycle, cycles: reported.append((cycle, cycles)))
+        assert {cycle for cycle, _ in reported} >= {1, 2, 3} and {cycles for _, cycles in reported} == {3}
         arm.move_to(220, 0, 20)
         arm.run(program, from_step=2)
         assert arm.status().y_mm == pytest.approx(-60, abs=0.5)
@@ -64,7 +64,7 @@ def test_a_program_for_ever_is_ended_by_its_progress() -> None:
             arm.run(program, progress=enough)
 
 
-def test_what_a_program_does_is_told_with_its_times() -> None:
+def test_a_check_reports_the_steps_of_a_program_and_their_durations() -> None:
     report = dobot.program(points=POINTS, steps=TO_AND_FRO).check(dialect="firmware-1.1")
     assert [it.label for it in report.steps] == ["go to here", "go to there"]
     assert not report.problems
@@ -74,7 +74,7 @@ def test_what_a_program_does_is_told_with_its_times() -> None:
     assert report.total_s == report.once_s and report.cycle_s is None
 
 
-def test_all_that_is_wrong_is_told_before_anything_moves() -> None:
+def test_all_problems_are_reported_before_anything_moves() -> None:
     far: dobot.Step = {"go": {"x": 450, "y": 0, "z": 0}}
     program = dobot.program(points=POINTS, steps=[*TO_AND_FRO, far, far])
     assert [it.step for it in program.check().problems] == [3, 4]
@@ -88,7 +88,7 @@ def test_all_that_is_wrong_is_told_before_anything_moves() -> None:
         assert arm.status() == before
 
 
-def test_what_is_no_program_is_told_with_its_step_or_line(tmp_path: Path) -> None:
+def test_an_invalid_program_is_an_error_with_its_step_or_line(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match='step 2: there is no point "somewhere"'):
         dobot.program(points=POINTS, steps=[TO_AND_FRO[0], {"go": "somewhere"}])
     with pytest.raises(ValueError, match="line 2"):
@@ -144,7 +144,7 @@ def test_the_vendors_points_are_read_and_written(tmp_path: Path) -> None:
         dobot.program(steps=[{"go": {"x": 400, "y": 0, "z": 0}}]).save(there)
 
 
-def test_a_program_that_waits_for_a_person_says_so_and_goes_on() -> None:
+def test_a_program_that_waits_for_a_person_says_so_and_continues() -> None:
     program = dobot.program(
         points=POINTS,
         steps=[TO_AND_FRO[0], {"wait": "put the cube there"}, TO_AND_FRO[1]],

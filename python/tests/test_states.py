@@ -91,7 +91,7 @@ def test_targets_of_all_commands_keep_the_rules() -> None:
         assert arm.status() == before
 
 
-def test_a_jog_is_as_fast_as_it_is_set() -> None:
+def test_a_jog_has_the_configured_speed() -> None:
     def jogged_mm(linear_speed: float) -> float:
         with dobot.connect("virtual:specification") as arm:
             arm.move_to(220, 0, 40)
@@ -104,7 +104,7 @@ def test_a_jog_is_as_fast_as_it_is_set() -> None:
     assert jogged_mm(60) > 2.5 * jogged_mm(20)
 
 
-def test_a_jump_is_as_high_and_a_move_as_fast_as_it_is_set() -> None:
+def test_jumps_and_moves_have_the_configured_height_and_speed() -> None:
     def seen(joint_speed: float, jump_height: float) -> list[float]:
         """The heights during a jump."""
 
@@ -135,7 +135,7 @@ def test_a_jump_is_as_high_and_a_move_as_fast_as_it_is_set() -> None:
     assert len(slow) > 2 * len(fast)
 
 
-def test_a_vector_accelerates_as_it_is_set() -> None:
+def test_a_vector_has_the_configured_acceleration() -> None:
     def statuses_of_a_vector(acceleration: float) -> int:
         async def main() -> int:
             async with await dobot.aconnect("virtual:specification") as arm:

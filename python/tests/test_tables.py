@@ -40,14 +40,14 @@ def test_a_table_becomes_a_frame_of_pandas() -> None:
     assert list(frame.columns) == list(statuses) and len(frame) == statuses.rows > 10
 
 
-def test_what_a_controller_refuses_is_told_with_its_time() -> None:
+def test_refused_commands_are_reported_with_their_time() -> None:
     # Moving mode 7 does not exist.
     run = dobot.simulate(text="!end 2000\n100 3 0 240 0 0 0 0 7 0 0\n")
     [(at_s, why)] = run.refused
     assert 0.1 < at_s < 0.3 and "7" in why
 
 
-def test_what_is_no_script_is_told_with_its_line(tmp_path: Path) -> None:
+def test_an_invalid_script_is_an_error_with_its_line(tmp_path: Path) -> None:
     file = tmp_path / "wrong.script"
     file.write_text("!end 100\nfly\n")
     with pytest.raises(ValueError, match="wrong.script:2"):
@@ -88,7 +88,7 @@ def test_a_recording_is_exported(recording: Path, tmp_path: Path) -> None:
         dobot.log(recording, start=1e6).export(tmp_path / "none.csv")
 
 
-def test_what_is_no_recording_says_so(tmp_path: Path) -> None:
+def test_a_file_that_is_not_a_recording_is_an_error(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError):
         dobot.log("none.mcap")
     wrong = tmp_path / "wrong.mcap"
@@ -104,5 +104,5 @@ def test_numpy_and_pandas_are_loaded_only_when_asked_for() -> None:
         "import sys, dobot_arm as dobot; run = dobot.simulate(text='!end 100'); run.statuses;"
         "print([it for it in ('numpy', 'pandas', 'asyncio') if it in sys.modules])"
     )
-    told = subprocess.run([sys.executable, "-c", look], capture_output=True, text=True, check=True)
-    assert told.stdout.strip() == "[]"
+    reported = subprocess.run([sys.executable, "-c", look], capture_output=True, text=True, check=True)
+    assert reported.stdout.strip() == "[]"

@@ -44,7 +44,7 @@ def test_ink_is_where_the_plan_has_it(virtual_arm: dobot.Arm) -> None:
 
 
 @pytest.mark.dobot(world=DESK)
-def test_ink_that_is_elsewhere_or_missing_is_told_with_its_place(virtual_arm: dobot.Arm) -> None:
+def test_errors_about_ink_name_the_position_of_wrong_or_missing_ink(virtual_arm: dobot.Arm) -> None:
     dobot.assert_ink(virtual_arm, [])
     with pytest.raises(AssertionError, match="ink is expected at .* but there is no existing ink"):
         dobot.assert_ink(virtual_arm, [[(200, 0), (210, 0)]])
@@ -69,7 +69,7 @@ def carry(arm: dobot.Arm) -> None:
 
 
 @pytest.mark.dobot(personality="firmware-1.1", world=TABLE)
-def test_an_object_is_carried_and_where_it_is_can_be_asserted(virtual_arm: dobot.Arm) -> None:
+def test_the_position_of_a_carried_object_can_be_asserted(virtual_arm: dobot.Arm) -> None:
     dobot.assert_object(virtual_arm, "cube", at=(200, 60), bottom_mm=0, held=False)
     carry(virtual_arm)
     dobot.assert_object(virtual_arm, "cube", at=(200, -60), bottom_mm=0, held=False, within_mm=1)
@@ -83,7 +83,7 @@ def test_an_object_is_carried_and_where_it_is_can_be_asserted(virtual_arm: dobot
 
 
 @pytest.mark.dobot(world=TABLE)
-def test_what_the_tool_holds_is_told(virtual_arm: dobot.Arm) -> None:
+def test_the_held_object_is_reported(virtual_arm: dobot.Arm) -> None:
     virtual_arm.move_to(200, 60, 10)
     virtual_arm.move_to(200, 60, -15, path="movl", suction=True, pause=0.5)
     virtual_arm.move_to(200, 60, 30, path="movl")
@@ -109,7 +109,7 @@ def test_a_scene_file_is_read() -> None:
 
 
 @pytest.mark.dobot(personality="firmware-1.1", faults=["zero=fore:2"], world=DESK)
-def test_an_arm_that_is_askew_is_elsewhere_than_it_says(virtual_arm: dobot.Arm) -> None:
+def test_an_arm_with_wrong_zeros_is_not_where_it_reports(virtual_arm: dobot.Arm) -> None:
     there = virtual_arm.move_to(220, 0, 20)
     truly = virtual_arm.world().state["arm"]
     assert (there.x_mm, there.z_mm) == pytest.approx((220, 20), abs=0.5)
@@ -155,8 +155,8 @@ def packet(*floats: float) -> bytes:
 def test_a_program_that_speaks_serial_moves_a_served_arm(served_arm: dobot.Served) -> None:
     serial = pytest.importorskip("serial")
     with serial.Serial(served_arm.serial, 9600, timeout=5) as port:
-        told = port.read(42 * 3)
-        assert told.count(b"\xa5") >= 1
+        reported = port.read(42 * 3)
+        assert reported.count(b"\xa5") >= 1
         # MOVL to (240, 0, 0).
         port.write(packet(3, 0, 240, 0, 0, 0, 0, 1, 0, 0))
         for _ in range(200):
@@ -168,7 +168,7 @@ def test_a_program_that_speaks_serial_moves_a_served_arm(served_arm: dobot.Serve
     dobot.assert_object(served_arm, "cube", at=(200, 60))
 
 
-def test_a_served_arm_can_be_had_by_anyone_who_speaks_tcp() -> None:
+def test_any_tcp_client_can_use_a_served_arm() -> None:
     with dobot.serve("specification", speed="max") as served:
         assert served.tcp.startswith("tcp:127.0.0.1:") and served.events == []
         with pytest.raises(dobot.Failed, match="has no world"):

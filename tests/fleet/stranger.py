@@ -42,7 +42,7 @@ with zenoh.open(config) as session:
         print(f"{name} is found with a certificate")
     else:
         heard: list[str] = []
-        for key in ("dobot/**", "dobot/*/*/*/told"):
+        for key in ("dobot/**", "dobot/*/*/*/reported"):
             session.declare_subscriber(key, lambda sample: heard.append(str(sample.key_expr)))
         session.declare_queryable("dobot/**", lambda query: heard.append(str(query.key_expr)))
         sys.stdin.read()

@@ -42,8 +42,8 @@ def main(folder):
         driven_m = drive(folder / f"{tool}.xml", [it for it in places if it["allowed"]])
         assert driven_m <= SETTLED_M, f"{tool}: MuJoCo's motors end {driven_m} m apart; allowed are {SETTLED_M}"
         allowed = sum(it["allowed"] for it in places)
-        told = ", ".join(f"{what} {apart_m:.1e}" for what, apart_m in worst.items())
-        print(f"{tool}: {len(places)} places, {allowed} allowed; apart in m: {told}; driven {driven_m:.1e}")
+        reported = ", ".join(f"{what} {apart_m:.1e}" for what, apart_m in worst.items())
+        print(f"{tool}: {len(places)} places, {allowed} allowed; apart in m: {reported}; driven {driven_m:.1e}")
     without(folder)
 
 
@@ -97,13 +97,13 @@ def turned(joint, joints):
     return joint.mimic.multiplier * math.radians(joints[joint.mimic.joint]) + joint.mimic.offset
 
 
-def mjcf(file, places, down_m, told):
+def mjcf(file, places, down_m, reported):
     """All joints are set; the pins must hold as they are."""
     model = mujoco.MjModel.from_xml_path(str(file))
     data = mujoco.MjData(model)
     worst = 0
     for place in places:
-        for joint in told["joints"]:
+        for joint in reported["joints"]:
             if "axis" in joint:
                 data.joint(joint["name"]).qpos = math.radians(angle(joint, place["joints"]))
         mujoco.mj_forward(model, data)

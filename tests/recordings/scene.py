@@ -2,7 +2,7 @@
 
 python tests/recordings/scene.py FOLDER
 
-The links of the arm bring its tool to the pose that the arm told, the target was where the arm was sent, and the ink is
+The links of the arm bring its tool to the pose that the arm reported, the target was where the arm was sent, and the ink is
 that square.
 """
 
@@ -14,11 +14,11 @@ import sys
 from mcap.reader import make_reader
 
 (path,) = sorted(pathlib.Path(sys.argv[1]).glob("*.mcap"))
-told, schemas = {}, {}
+reported, schemas = {}, {}
 with path.open("rb") as file:
     for schema, channel, message in make_reader(file, validate_crcs=True).iter_messages():
         schemas[channel.topic] = (schema.name, json.loads(schema.data))
-        told.setdefault(channel.topic, []).append((message.log_time, json.loads(message.data)))
+        reported.setdefault(channel.topic, []).append((message.log_time, json.loads(message.data)))
 for topic, name in [
     ("/tf", "foxglove.FrameTransforms"),
     ("/arm/target", "foxglove.SceneUpdate"),
@@ -43,7 +43,7 @@ def fits(value, schema, where):
 
 
 for topic in ["/tf", "/arm/target", "/arm/ink"]:
-    for _, value in told[topic]:
+    for _, value in reported[topic]:
         fits(value, schemas[topic][1], topic)
 
 
@@ -64,18 +64,18 @@ def place(transforms, frame):
     return at
 
 
-poses = {at: value["pose"]["position"] for at, value in told["/arm/pose"]}
+poses = {at: value["pose"]["position"] for at, value in reported["/arm/pose"]}
 furthest = 0.0
-for at, value in told["/tf"]:
+for at, value in reported["/tf"]:
     expected = [poses[at][axis] for axis in "xyz"]
     furthest = max(furthest, math.dist(place(value["transforms"], "tool"), expected))
 assert furthest < 1e-6, f"the tool is {furthest} m from the pose"
-tip_m = -[it for it in told["/tf"][-1][1]["transforms"] if it["child_frame_id"] == "tip"][0]["translation"]["z"]
+tip_m = -[it for it in reported["/tf"][-1][1]["transforms"] if it["child_frame_id"] == "tip"][0]["translation"]["z"]
 
-aim = told["/arm/target"][0][1]["entities"][0]["spheres"][0]["pose"]["position"]
+aim = reported["/arm/target"][0][1]["entities"][0]["spheres"][0]["pose"]["position"]
 assert math.dist([aim[it] for it in "xyz"], [0.22, 0.05, 0.03 - tip_m]) < 2e-5, aim
 
-entities = [it for _, value in told["/arm/ink"] for it in value["entities"]]
+entities = [it for _, value in reported["/arm/ink"] for it in value["entities"]]
 assert len({it["id"] for it in entities}) == len(entities)
 lines = [[[p[axis] for axis in "xyz"] for p in line["points"]] for it in entities for line in it["lines"]]
 points = [point for line in lines for point in line]
@@ -86,4 +86,4 @@ for x, y, z in points:
     assert abs(z - (-0.04 - tip_m)) < 1e-5, z
 drawn_m = sum(math.dist(a, b) for line in lines for a, b in zip(line, line[1:]))
 assert abs(drawn_m - 0.12) < 2e-4, f"{drawn_m} m are drawn"
-print(f"{len(told['/tf'])} places of {len(told['/tf'][-1][1]['transforms'])} links, {len(lines)} pieces of ink: read")
+print(f"{len(reported['/tf'])} places of {len(reported['/tf'][-1][1]['transforms'])} links, {len(lines)} pieces of ink: read")

@@ -35,13 +35,13 @@ def read(recording):
     statuses, commands = [], []
     with recording.open("rb") as file:
         for _, channel, message in make_reader(file).iter_messages():
-            told = json.loads(message.data)
-            if channel.topic == "/wire/from_arm" and "status" in told:
-                gaps = told.get("gaps_ns", [])
+            reported = json.loads(message.data)
+            if channel.topic == "/wire/from_arm" and "status" in reported:
+                gaps = reported.get("gaps_ns", [])
                 times = message.log_time - sum(gaps) + np.cumsum([0, *gaps])
-                statuses += [(int(time), told["status"]) for time in times]
-            if channel.topic == "/wire/to_arm" and ("command" in told or "error" in told):
-                commands.append((message.log_time, told))
+                statuses += [(int(time), reported["status"]) for time in times]
+            if channel.topic == "/wire/to_arm" and ("command" in reported or "error" in reported):
+                commands.append((message.log_time, reported))
     return statuses, commands
 
 
@@ -66,11 +66,11 @@ def check_statuses(folder, expected):
 def check_commands(folder, expected):
     for table in both(folder, "run.commands"):
         assert len(table) == len(expected), len(table)
-        for (_, row), (_, told) in zip(table.iterrows(), expected):
-            if "error" in told:
-                assert row["error"] == told["error"] and pd.isna(row["command"]), row
+        for (_, row), (_, reported) in zip(table.iterrows(), expected):
+            if "error" in reported:
+                assert row["error"] == reported["error"] and pd.isna(row["command"]), row
                 continue
-            fields = dict(told["command"])
+            fields = dict(reported["command"])
             assert row["command"] == fields.pop("type"), row
             assert json.loads(row["fields"]) == fields, row
 
@@ -103,9 +103,9 @@ def check_dataset(folder, statuses):
     return len(episodes)
 
 
-def feature(told):
-    value = datasets.Value(told["dtype"])
-    return value if told["shape"] == [1] else datasets.Sequence(value, length=told["shape"][0])
+def feature(reported):
+    value = datasets.Value(reported["dtype"])
+    return value if reported["shape"] == [1] else datasets.Sequence(value, length=reported["shape"][0])
 
 
 def without_silence(statuses):

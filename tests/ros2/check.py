@@ -60,15 +60,15 @@ class Bridge:
         surroundings = {**os.environ, "DOBOT_DATA": str(folder), "RMW_IMPLEMENTATION": "rmw_cyclonedds_cpp", **environment}
         command = [PROGRAMS / "dobot-ros2", "--domain", str(DOMAIN), *options]
         self.process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True, env=surroundings)
-        self.told = []
+        self.reported = []
         self.until("connected to the station")
 
     def until(self, text):
         for line in self.process.stderr:
-            self.told.append(line.strip())
+            self.reported.append(line.strip())
             if text in line:
                 return
-        raise AssertionError(f"dobot-ros2 ended before it said {text!r}: {self.told}")
+        raise AssertionError(f"dobot-ros2 ended before it said {text!r}: {self.reported}")
 
     def end(self, how=signal.SIGINT):
         if self.process.poll() is None:
@@ -92,8 +92,8 @@ def description_and_transforms_are_of_one_arm(robot, station, bridge):
     children = [it.child_frame_id for it in moving + fixed]
     assert sorted(children + ["base"]) == sorted(links), children
     arm = station.ask("GET", "/api/v1/state")["arm"]
-    told = [arm[name] / 1000 for name in ("x_mm", "y_mm", "z_mm")]
-    assert math.dist(robot.tool(), told) < 1e-4, (robot.tool(), told)
+    reported = [arm[name] / 1000 for name in ("x_mm", "y_mm", "z_mm")]
+    assert math.dist(robot.tool(), reported) < 1e-4, (robot.tool(), reported)
 
 
 def an_arm_in_order_is_diagnosed_so(robot, station, bridge):
@@ -107,15 +107,15 @@ def the_arm_goes_to_a_target_and_gives_control_back(robot, station, bridge):
     half = math.sqrt(0.5)
     robot.go(0.22, 0.05, 0.06, m.Quaternion(z=math.sin(0.2), w=math.cos(0.2)))
     robot.tool_at((0.22, 0.05, 0.06))
-    says("the arm has reached the target", robot.told("target: "))
+    says("the arm has reached the target", robot.reported("target: "))
     joints = robot.joints()
     assert abs(joints["base"] + joints["servo"] - 0.4) < 0.002, joints
     robot.diagnosed("control", says="free")
     robot.go(0.22, 0.0, 0.06, m.Quaternion(y=half, w=half))
-    says("tilts", robot.told("target: "))
+    says("tilts", robot.reported("target: "))
     # Beneath the table: the station's policy says no, and nothing moves.
     robot.go(0.22, 0.0, -0.09)
-    says("table allows -63 mm and more", robot.told("target: "))
+    says("table allows -63 mm and more", robot.reported("target: "))
     assert math.dist(robot.tool(), (0.22, 0.05, 0.06)) < 0.001
 
 
@@ -131,10 +131,10 @@ def a_trajectory_is_followed_thinned_and_told(robot, station, bridge):
         points.append(([now[name] + (end - now[name]) * share + bend for name, end in zip(names, ends)], 4 * share))
     drop(robot.feedback)
     goal = robot.follow(names, points)
-    told = [first(robot.feedback, lambda it: it.goal_id == goal) for _ in range(3)]
-    assert [it.joint_names for it in told] == [["base", "rear", "fore", "servo"]] * 3
-    assert told[0].desired.time_from_start != told[2].desired.time_from_start
-    for it in told:
+    reported = [first(robot.feedback, lambda it: it.goal_id == goal) for _ in range(3)]
+    assert [it.joint_names for it in reported] == [["base", "rear", "fore", "servo"]] * 3
+    assert reported[0].desired.time_from_start != reported[2].desired.time_from_start
+    for it in reported:
         for wanted, actual, error in zip(it.desired.positions, it.actual.positions, it.error.positions):
             assert abs(wanted - actual - error) < 1e-9
     result = robot.result(goal)
@@ -207,7 +207,7 @@ def a_jog_stops_when_its_publisher_is_killed(robot, station, bridge):
 
 def a_jog_of_two_axes_is_refused(robot, station, bridge):
     robot.twist.write(m.TwistStamped(m.Header(), m.Twist(m.Vector3(0.01, 0.01, 0.0))))
-    says("one axis at a time", robot.told("jog: "))
+    says("one axis at a time", robot.reported("jog: "))
 
 
 def a_joint_jogs_for_as_long_as_it_is_said(robot, station, bridge):
@@ -215,7 +215,7 @@ def a_joint_jogs_for_as_long_as_it_is_said(robot, station, bridge):
     rests(robot)
     before = robot.joints()
     robot.jog.write(m.JointJog(m.Header(), ["elbow"], [], [0.1], 0.0))
-    says("base, rear, fore, servo", robot.told("jog: "))
+    says("base, rear, fore, servo", robot.reported("jog: "))
     rests(robot)
     turned = before
     # With each state once, which is soon enough.
@@ -246,7 +246,7 @@ def a_stop_holds_until_a_person_resets_it(robot, station, bridge):
     assert result.status == ABORTED, result
     robot.diagnosed("stop", ERROR, "a ROS 2 node")
     robot.go(0.22, 0.0, 0.06)
-    says("stopped", robot.told("target: "))
+    says("stopped", robot.reported("target: "))
     rests(robot)
     station.ask("DELETE", "/api/v1/stop")
     robot.diagnosed("stop", OK)
@@ -263,7 +263,7 @@ def who_may_only_watch_sees_everything_stops_the_arm_and_moves_nothing(robot, st
     try:
         before = robot.joints()
         robot.go(0.2, 0.05, 0.03)
-        says("role", robot.told("target: "))
+        says("role", robot.reported("target: "))
         assert robot.joints() == before
         assert robot.stop().success
         robot.diagnosed("stop", ERROR)

@@ -59,7 +59,7 @@ class Robot:
         return DataWriter(self.participant, Topic(self.participant, name, kind), qos=qos)
 
     def joints(self):
-        """The next angles of the joints that are told, in radians."""
+        """The next angles of the joints that are reported, in radians."""
         drop(self.joint_states)
         state = first(self.joint_states)
         return dict(zip(state.name, state.position))
@@ -97,7 +97,7 @@ class Robot:
         pose = m.Pose(m.Vector3(x, y, z), turn)
         self.target.write(m.PoseStamped(m.Header(frame_id="base"), pose))
 
-    def told(self, text):
+    def reported(self, text):
         """Waits until something is said in the log."""
         return first(self.rosout, lambda it: text in it.msg).msg
 

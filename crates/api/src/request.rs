@@ -125,8 +125,8 @@ pub enum Request {
     ConfirmPose,
     /// Give a calibrated arm its true joint angles (state 9, mode 3), which corrects its zeros
     /// until its next reset. The arm must be at rest with its base straight ahead.
-    #[serde(deserialize_with = "without_fields")]
-    TellAngles,
+    #[serde(alias = "tell_angles", deserialize_with = "without_fields")]
+    SetAngles,
     /// Set the calibration: from then on positions are calibrated ones. It is stored for this arm
     /// together with the previous one.
     Calibrate {
@@ -254,7 +254,7 @@ impl Request {
             | Self::ArmLaser { .. }
             | Self::DisarmLaser
             | Self::ConfirmPose
-            | Self::TellAngles
+            | Self::SetAngles
             | Self::Detect
             | Self::StartJob { .. }
             | Self::ConfirmJob { .. }

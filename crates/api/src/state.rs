@@ -92,7 +92,7 @@ impl State {
                     suction: true,
                     gripper_deg: 12.0,
                 },
-                told: None,
+                raw: None,
                 moving: false,
                 touch_refused: None,
                 near: NearView::default(),
@@ -173,8 +173,8 @@ pub struct ArmView {
     #[serde(flatten)]
     pub status: Status,
     /// The raw status of a calibrated arm.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub told: Option<Status>,
+    #[serde(default, alias = "told", skip_serializing_if = "Option::is_none")]
+    pub raw: Option<Status>,
     /// Whether the arm moves or may still move; otherwise it is at rest: no command waits or is in flight, no
     /// button is held, and the last statuses are equal.
     pub moving: bool,
@@ -191,7 +191,8 @@ pub struct ArmView {
 pub struct CalibratedView {
     /// Whether the arm was given its true angles (state 9, mode 3) since it was switched on: then
     /// only its tool is offset from what it reports.
-    pub zeros_told: bool,
+    #[serde(alias = "zeros_told")]
+    pub angles_set: bool,
 }
 
 /// Whether the pose can be trusted.

@@ -149,7 +149,7 @@ impl Calibration {
 
     /// The raw joint angles for calibrated ones.
     #[must_use]
-    pub fn told_joints_of(&self, joints: &Joints) -> Joints {
+    pub fn raw_joints_of(&self, joints: &Joints) -> Joints {
         Joints {
             base: joints.base - Degrees(self.base_deg),
             rear: joints.rear - Degrees(self.rear_deg),
@@ -222,8 +222,8 @@ impl Calibration {
     /// # Errors
     ///
     /// [`Unreachable`] where the arm cannot bring its tool there.
-    pub fn told_place(&self, true_place: Position, tool: Tool) -> Result<Position, Unreachable> {
-        Ok(forward(&self.told_joints(true_place, tool)?, tool).position)
+    pub fn raw_place(&self, true_place: Position, tool: Tool) -> Result<Position, Unreachable> {
+        Ok(forward(&self.raw_joints(true_place, tool)?, tool).position)
     }
 
     /// The raw joint angles for a calibrated position.
@@ -240,7 +240,7 @@ impl Calibration {
     /// # Errors
     ///
     /// [`Unreachable`] where the arm cannot bring its tool there.
-    pub fn told_joints(&self, true_place: Position, tool: Tool) -> Result<Joints, Unreachable> {
+    pub fn raw_joints(&self, true_place: Position, tool: Tool) -> Result<Joints, Unreachable> {
         let [axis_x, axis_y] = self.axis_mm;
         let from_axis = Position::new(
             true_place.x.0 - axis_x,
@@ -302,7 +302,7 @@ mod tests {
             (260.0, 90.0, -60.0),
         ] {
             let wanted = Position::new(x, y, z);
-            let raw = ARM.told_place(wanted, Tool::SuctionCup).unwrap();
+            let raw = ARM.raw_place(wanted, Tool::SuctionCup).unwrap();
             let found = ARM.true_place(raw, Tool::SuctionCup).unwrap();
             let away_mm = (found.x.0 - x).abs() + (found.y.0 - y).abs() + (found.z.0 - z).abs();
             assert!(away_mm < 1e-9, "{wanted:?} became {found:?}");
@@ -313,7 +313,7 @@ mod tests {
     fn an_arm_without_errors_is_at_its_reported_place() {
         let place = Position::new(210.0, -70.0, -35.0);
         let found = Calibration::default()
-            .told_place(place, Tool::Laser)
+            .raw_place(place, Tool::Laser)
             .unwrap();
         assert!(
             (found.x.0 - 210.0).abs() < 1e-9 && (found.z.0 + 35.0).abs() < 1e-9,
@@ -324,6 +324,6 @@ mod tests {
     #[test]
     fn a_place_beyond_the_stretched_arm_is_refused() {
         let far = Position::new(500.0, 0.0, 0.0);
-        ARM.told_place(far, Tool::SuctionCup).unwrap_err();
+        ARM.raw_place(far, Tool::SuctionCup).unwrap_err();
     }
 }

@@ -43,7 +43,7 @@ pub fn comb(
     let at = |reach_mm: f64, deg: f64| {
         let (sin, cos) = deg.to_radians().sin_cos();
         let [x, y] = [reach_mm * cos, reach_mm * sin];
-        arm.told_joints(Position::new(x, y, paper_z_mm([x, y])), tool)
+        arm.raw_joints(Position::new(x, y, paper_z_mm([x, y])), tool)
     };
     let mut drawn = Comb {
         tool,

@@ -242,7 +242,7 @@ fn advice(solved: &Solved, tool: Tool) -> Option<Advice> {
         SHEET_POINTS.into_iter().filter_map(move |place_mm| {
             let [x_mm, y_mm] = place_mm;
             let place = Position::new(x_mm, y_mm, paper.z_at(place_mm) + height_mm);
-            let raw = arm.told_joints(place, tool).ok()?;
+            let raw = arm.raw_joints(place, tool).ok()?;
             Some(Touch {
                 place_mm,
                 height_mm,

@@ -11,7 +11,7 @@
 //! // An arm whose forearm stands 5 degrees further than reported touches the nine points.
 //! let arm = Calibration { fore_deg: 5.0, ..Calibration::default() };
 //! let touch = |[x, y]: [f64; 2]| {
-//!     let raw = arm.told_joints(Position::new(x, y, -40.0), Tool::SuctionCup).unwrap();
+//!     let raw = arm.raw_joints(Position::new(x, y, -40.0), Tool::SuctionCup).unwrap();
 //!     Touch { place_mm: [x, y], height_mm: 0.0, raw }
 //! };
 //! let found = fit(&SHEET_POINTS.map(touch), Tool::SuctionCup)?;

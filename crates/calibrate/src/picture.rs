@@ -79,7 +79,7 @@ mod tests {
         };
         let mut touches = SHEET_POINTS.map(|[x, y]| {
             let there = Position::new(x, y, -40.0);
-            let raw = arm.told_joints(there, Tool::SuctionCup).unwrap();
+            let raw = arm.raw_joints(there, Tool::SuctionCup).unwrap();
             Touch {
                 place_mm: [x, y],
                 height_mm: 0.0,

@@ -251,7 +251,7 @@ impl Pendant {
     }
 
     fn handle_key(&mut self, now: Duration, key: &KeyEvent) {
-        let meaning = meaning(key, self.frame, self.hindrance().is_some());
+        let meaning = meaning(key, self.frame, self.question().is_some());
         let asked = self.asks.take();
         if !matches!(meaning, KeyMeaning::Hold(_) | KeyMeaning::Speed(_)) {
             self.hold.release();
@@ -268,7 +268,7 @@ impl Pendant {
             KeyMeaning::Speed(percent) => self.speed_percent = percent,
             KeyMeaning::Suction(on) => self.switch_suction(on),
             KeyMeaning::Frame => self.change_frame(),
-            KeyMeaning::Ask => self.asks = self.hindrance(),
+            KeyMeaning::Ask => self.asks = self.question(),
             KeyMeaning::Yes => self.requests.extend(asked.map(Question::request)),
             KeyMeaning::Quit => self.quit(),
             KeyMeaning::Nothing => {}
@@ -276,7 +276,7 @@ impl Pendant {
     }
 
     /// The question that must be answered before the arm may move.
-    fn hindrance(&self) -> Option<Question> {
+    fn question(&self) -> Option<Question> {
         let state = self.state.as_ref()?;
         if state.stop.is_some() {
             return Some(Question::Reset);

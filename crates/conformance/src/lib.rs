@@ -20,10 +20,10 @@
 //! # }
 //! ```
 
+mod blocker;
 mod check;
 mod checks;
 mod flow;
-mod hindrance;
 mod latency;
 mod observed_motion;
 mod outcome;
@@ -33,8 +33,8 @@ mod rig;
 mod suite;
 mod timed_status;
 
+pub use blocker::Blocker;
 pub use check::Check;
-pub use hindrance::Hindrance;
 pub use latency::Latency;
 pub use outcome::Outcome;
 pub use report::{HEADING, Report, Row, Verdict};

@@ -3,8 +3,8 @@
 use std::fmt::{self, Write};
 use std::time::Duration;
 
+use crate::blocker::Blocker;
 use crate::check::Check;
-use crate::hindrance::Hindrance;
 use crate::latency::Latency;
 use crate::outcome::Outcome;
 
@@ -14,7 +14,7 @@ pub struct Report {
     rows: Vec<Row>,
     is_bluetooth: bool,
     latency: Option<Latency>,
-    hindrance: Option<Hindrance>,
+    blocker: Option<Blocker>,
 }
 
 /// A check and its outcome.
@@ -51,13 +51,13 @@ impl Report {
         rows: Vec<Row>,
         is_bluetooth: bool,
         latency: Option<Latency>,
-        hindrance: Option<Hindrance>,
+        blocker: Option<Blocker>,
     ) -> Self {
         Self {
             rows,
             is_bluetooth,
             latency,
-            hindrance,
+            blocker,
         }
     }
 
@@ -100,8 +100,8 @@ impl Report {
 
     /// The reason why the arm was not moved although nothing differs.
     #[must_use]
-    pub const fn hindrance(&self) -> Option<&Hindrance> {
-        self.hindrance.as_ref()
+    pub const fn blocker(&self) -> Option<&Blocker> {
+        self.blocker.as_ref()
     }
 
     /// The dialect of the controller.

@@ -7,8 +7,8 @@ use dobot_session::{Link, LinkError, PermitScheme, plausible, position};
 use dobot_wire::{Counts, Decoder, Frame, PACKET_LEN, Status, Statuses};
 
 use crate::Options;
+use crate::blocker::Blocker;
 use crate::flow::Flow;
-use crate::hindrance::Hindrance;
 use crate::latency::Latency;
 use crate::packet::{
     STOCK_TEACH_DEG_S, STOCK_WRITING_MM_S2, angles, gentle, jog, over_bluetooth, percent, teach,
@@ -34,7 +34,7 @@ pub(crate) struct Rig {
     /// The measured latency of the line.
     pub(crate) latency: Option<Latency>,
     /// The reason not to move the arm.
-    pub(crate) hindrance: Option<Hindrance>,
+    pub(crate) blocker: Option<Blocker>,
     /// The initial status.
     pub(crate) start: Option<Status>,
     /// Whether a motion was sent.
@@ -96,7 +96,7 @@ impl Rig {
             permits: Vec::new(),
             reacted: Duration::ZERO,
             latency: None,
-            hindrance: None,
+            blocker: None,
             start: None,
             moved: false,
             home: None,

@@ -71,7 +71,7 @@ impl Suite {
             self.rows.clone(),
             rig.is_bluetooth(),
             rig.latency,
-            rig.hindrance.clone(),
+            rig.blocker.clone(),
         )
     }
 

@@ -32,7 +32,7 @@ impl PlannedFor {
     pub fn of(rules: Arc<Rules>, state: &State) -> Self {
         let has_true_angles = state
             .calibrated
-            .is_some_and(|calibrated| calibrated.zeros_told);
+            .is_some_and(|calibrated| calibrated.angles_set);
         let known = rules.calibrations.calibration.clone();
         let arm = state.arm.as_ref();
         Self {
@@ -46,7 +46,7 @@ impl PlannedFor {
             rules,
             dialect: state.dialect,
             settings: state.settings.clone(),
-            status: arm.map(|arm| arm.told.unwrap_or(arm.status)),
+            status: arm.map(|arm| arm.raw.unwrap_or(arm.status)),
         }
     }
 

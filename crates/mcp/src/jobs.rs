@@ -78,7 +78,7 @@ impl Call {
             let text = format!(
                 "job {job} is queued; a person has to start it, on the station's page or with `dobot jobs start {job}`"
             );
-            return Ok(json!({ "told": text, "job": view(station, job).await? }));
+            return Ok(json!({ "message": text, "job": view(station, job).await? }));
         }
         self.shared.own_jobs.add(&self.name(), job);
         if let Err(refused) = start(station, job).await {
@@ -171,7 +171,7 @@ async fn follow(station: &mut StationClient, job: u64, time: Duration) -> Result
         }
         Ok(Ok((_, text))) => text,
     };
-    Ok(json!({ "told": text, "job": view(station, job).await? }))
+    Ok(json!({ "message": text, "job": view(station, job).await? }))
 }
 
 /// Waits until a job stops running.

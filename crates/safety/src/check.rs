@@ -66,7 +66,7 @@ impl Policy {
         let from = model.place.pose.position;
         let raw = |[x, y, z]: [f64; 3]| {
             let place = Position::new(x, y, z);
-            model.calibration.told_place(place, model.tool).ok()
+            model.calibration.raw_place(place, model.tool).ok()
         };
         let is_allowed = |raw: Position| {
             let command = MoveTo {

@@ -41,7 +41,7 @@ pub struct Server {
     /// Bytes to the client.
     outgoing: Vec<u8>,
     /// Lost bytes to the arm that were already reported or predate the client.
-    told_lost: Option<u64>,
+    reported_lost: Option<u64>,
 }
 
 /// An event of a served virtual arm.
@@ -92,7 +92,7 @@ impl Server {
             client: None,
             incoming: Vec::new(),
             outgoing: Vec::new(),
-            told_lost: None,
+            reported_lost: None,
         }
     }
 
@@ -138,7 +138,7 @@ impl Server {
     /// # Errors
     ///
     /// Returns an error if no more clients can be served.
-    pub async fn run(&mut self, mut tell: impl FnMut(ServerEvent)) -> io::Result<()> {
+    pub async fn run(&mut self, mut report: impl FnMut(ServerEvent)) -> io::Result<()> {
         let (start, offset) = (Instant::now(), self.arm.now());
         let mut answered = false;
         loop {
@@ -155,11 +155,11 @@ impl Server {
             };
             answered = matches!(happening, Happening::Bytes(Ok(1..)));
             self.arm.handle_time(now);
-            self.upload(&mut tell)?;
-            self.happen(happening, &mut tell)?;
+            self.upload(&mut report)?;
+            self.happen(happening, &mut report)?;
             #[cfg(unix)]
-            self.notice_pty(&mut tell)?;
-            self.tell_news(&mut tell);
+            self.notice_pty(&mut report)?;
+            self.report_events(&mut report);
         }
     }
 
@@ -212,47 +212,47 @@ impl Server {
     fn happen(
         &mut self,
         happening: Happening,
-        tell: &mut impl FnMut(ServerEvent),
+        report: &mut impl FnMut(ServerEvent),
     ) -> io::Result<()> {
         match happening {
             Happening::Time => Ok(()),
             Happening::Connect((stream, from)) => {
-                self.admit(stream, from, tell);
+                self.admit(stream, from, report);
                 Ok(())
             }
             Happening::Curious(stream) => self.show_world(stream),
             Happening::Bytes(Ok(1..)) => {
-                self.download(tell);
+                self.download(report);
                 Ok(())
             }
             // It may have been dismissed just now, for another reason.
             Happening::Bytes(_) if self.client.is_none() => Ok(()),
-            Happening::Bytes(_) => self.dismiss(tell),
+            Happening::Bytes(_) => self.dismiss(report),
         }
     }
 
-    fn tell_news(&mut self, tell: &mut impl FnMut(ServerEvent)) {
+    fn report_events(&mut self, report: &mut impl FnMut(ServerEvent)) {
         while let Some(refused) = self.arm.poll_refused() {
-            tell(ServerEvent::Refused(refused));
+            report(ServerEvent::Refused(refused));
         }
         while let Some(struck) = self.arm.poll_struck() {
-            tell(ServerEvent::Struck(struck));
+            report(ServerEvent::Struck(struck));
         }
         while let Some(happened) = self.arm.poll_world() {
-            tell(ServerEvent::World(happened));
+            report(ServerEvent::World(happened));
         }
     }
 
-    fn admit(&mut self, stream: TcpStream, from: SocketAddr, tell: &mut impl FnMut(ServerEvent)) {
+    fn admit(&mut self, stream: TcpStream, from: SocketAddr, report: &mut impl FnMut(ServerEvent)) {
         if !self.arm.has_port() {
-            tell(ServerEvent::PortClosed(from));
+            report(ServerEvent::PortClosed(from));
         } else if self.client.is_some() {
-            tell(ServerEvent::TcpRefused(from));
+            report(ServerEvent::TcpRefused(from));
         } else {
             // Small packets at once; without it they are only later.
             let _ = stream.set_nodelay(true);
             self.welcome(Client::Tcp(stream));
-            tell(ServerEvent::TcpConnected(from));
+            report(ServerEvent::TcpConnected(from));
         }
     }
 
@@ -274,10 +274,10 @@ impl Server {
     fn welcome(&mut self, client: Client) {
         self.client = Some(client);
         self.arm.handle_open(self.arm.now());
-        self.told_lost = Some(self.arm.lost_bytes());
+        self.reported_lost = Some(self.arm.lost_bytes());
     }
 
-    fn dismiss(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
+    fn dismiss(&mut self, report: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
         let left = self.client.take();
         self.outgoing.clear();
         #[cfg(unix)]
@@ -285,25 +285,28 @@ impl Server {
             && let Some(pty) = &mut self.pty
             && let Some(path) = pty.renew()?
         {
-            tell(ServerEvent::PtyMoved(path.to_owned()));
+            report(ServerEvent::PtyMoved(path.to_owned()));
         }
         drop(left);
-        tell(ServerEvent::Disconnected);
+        report(ServerEvent::Disconnected);
         Ok(())
     }
 
     /// Forwards bytes from the client.
-    fn download(&mut self, tell: &mut impl FnMut(ServerEvent)) {
+    fn download(&mut self, report: &mut impl FnMut(ServerEvent)) {
         self.arm.handle_bytes(self.arm.now(), &self.incoming);
-        if self.told_lost.is_some_and(|it| it < self.arm.lost_bytes()) {
-            self.told_lost = None;
-            tell(ServerEvent::Overrun);
+        if self
+            .reported_lost
+            .is_some_and(|lost| lost < self.arm.lost_bytes())
+        {
+            self.reported_lost = None;
+            report(ServerEvent::Overrun);
         }
     }
 
     /// Forwards bytes from the arm. A client that does not read loses bytes, as on a serial line,
     /// unless time waits for it; without a client all are lost.
-    fn upload(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
+    fn upload(&mut self, report: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
         self.arm.poll_bytes(&mut self.outgoing);
         let sent = match &mut self.client {
             _ if self.outgoing.is_empty() => Ok(0),
@@ -312,35 +315,35 @@ impl Server {
         };
         match sent {
             Ok(count) if self.speed.is_max() => drop(self.outgoing.drain(..count)),
-            Err(error) if error.kind() != io::ErrorKind::WouldBlock => self.dismiss(tell)?,
+            Err(error) if error.kind() != io::ErrorKind::WouldBlock => self.dismiss(report)?,
             Err(_) if self.speed.is_max() => {}
             _ => self.outgoing.clear(),
         }
         if !self.arm.has_port() && self.client.is_some() {
-            self.hang_up(tell)?;
+            self.hang_up(report)?;
         }
         Ok(())
     }
 
     /// Disconnects the client.
-    fn hang_up(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
+    fn hang_up(&mut self, report: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
         let left = self.client.take();
         #[cfg(unix)]
         if matches!(left, Some(Client::Pty(_)))
             && let Some(pty) = &mut self.pty
         {
             pty.replace()?;
-            tell(ServerEvent::PtyMoved(pty.path().to_owned()));
+            report(ServerEvent::PtyMoved(pty.path().to_owned()));
         }
         drop(left);
         self.outgoing.clear();
-        tell(ServerEvent::Disconnected);
+        report(ServerEvent::Disconnected);
         Ok(())
     }
 
     /// Polls the virtual serial port, which does not report its opening.
     #[cfg(unix)]
-    fn notice_pty(&mut self, tell: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
+    fn notice_pty(&mut self, report: &mut impl FnMut(ServerEvent)) -> io::Result<()> {
         let Some(pty) = &self.pty else {
             return Ok(());
         };
@@ -349,7 +352,7 @@ impl Server {
             None => {
                 if let Some(client) = pty.client()? {
                     self.welcome(Client::Pty(client));
-                    tell(ServerEvent::PtyOpened);
+                    report(ServerEvent::PtyOpened);
                 }
             }
             Some(Client::Tcp(_)) => pty.ignore_client(),

@@ -81,7 +81,7 @@ pub struct World {
     /// Whether pen or laser mark the table beside the paper.
     off_paper: bool,
     lost: bool,
-    untold: VecDeque<Happened>,
+    unreported: VecDeque<Happened>,
     log: VecDeque<Happened>,
     event_count: u64,
 }
@@ -113,7 +113,7 @@ impl World {
             contacts: Contacts::default(),
             off_paper: false,
             lost: false,
-            untold: VecDeque::new(),
+            unreported: VecDeque::new(),
             log: VecDeque::new(),
             event_count: 0,
         }
@@ -156,7 +156,7 @@ impl World {
 
     /// Takes the events since the last call in order; at most the last 100 are kept.
     pub fn poll_event(&mut self) -> Option<Happened> {
-        self.untold.pop_front()
+        self.unreported.pop_front()
     }
 
     /// The complete state.
@@ -374,7 +374,7 @@ impl World {
             event,
         };
         self.event_count += 1;
-        for kept in [&mut self.untold, &mut self.log] {
+        for kept in [&mut self.unreported, &mut self.log] {
             if kept.len() == KEPT_EVENTS {
                 kept.pop_front();
             }

@@ -37,7 +37,7 @@ pub(crate) fn state(at_s: f64) -> State {
             ..sample.link
         },
         arm: Some(ArmView {
-            told: None,
+            raw: None,
             touch_refused: None,
             status: Status {
                 x_mm: 200.0,

@@ -284,7 +284,7 @@ impl Supervisor {
                 let status = self.arm.calibrated_status(&reported);
                 ArmView {
                     status,
-                    told: Some(reported).filter(|_| self.arm.is_calibrated()),
+                    raw: Some(reported).filter(|_| self.arm.is_calibrated()),
                     moving: !self.arm.is_at_rest(),
                     touch_refused: self.arm.touch_refused(),
                     near: self.arm.near(&ArmPlace::of_status(&status)),

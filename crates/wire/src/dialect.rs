@@ -58,7 +58,7 @@ pub struct Dialect {
     /// State 10: float 5 scales all jogs, instead of nothing (note N15).
     pub scales_jogs: bool,
     /// Voice is received on the served port; otherwise it is lost (note N50).
-    pub hears_voice: bool,
+    pub accepts_voice: bool,
     /// Ticks of motion and pause are counted in 16 bits: none may last longer than 655 s (note N51).
     pub counts_ticks_in_16_bits: bool,
     /// A straight line that was cut short is not forgotten: the next one begins that far along
@@ -94,7 +94,7 @@ impl Dialect {
         turns_after_line: false,
         has_rapid_laser_mode: false,
         scales_jogs: true,
-        hears_voice: true,
+        accepts_voice: true,
         counts_ticks_in_16_bits: false,
         resumes_cut_lines: false,
         keeps_jog_speed: false,
@@ -121,7 +121,7 @@ impl Dialect {
         turns_after_line: true,
         has_rapid_laser_mode: true,
         scales_jogs: false,
-        hears_voice: false,
+        accepts_voice: false,
         counts_ticks_in_16_bits: true,
         resumes_cut_lines: true,
         keeps_jog_speed: true,

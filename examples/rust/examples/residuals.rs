@@ -19,7 +19,7 @@ fn main() {
     let mut missed = || (random.share() - 0.5) * 0.6;
     let mut touches = SHEET_POINTS.map(|[x, y]| {
         let there = Position::new(x + missed(), y + missed(), -42.0 + missed());
-        let joints = arm.told_joints(there, Tool::SuctionCup);
+        let joints = arm.raw_joints(there, Tool::SuctionCup);
         Touch {
             place_mm: [x, y],
             height_mm: 0.0,

@@ -5,8 +5,8 @@ import { rests, silence_ms } from "./selectors.js";
 /** @typedef {import("./types.js").Problem} Problem */
 /** @typedef {import("./types.js").Schemas} Schemas */
 /** @typedef {Schemas["CalibrationFile"]} CalibrationFile */
-/** A point that was the next one: what the arm said there, or nothing where it was left out. @typedef {{ point: number, told_deg: readonly number[] | null, height_mm: number }} Visit */
-/** A touched point, and how high the block was on it. @typedef {{ point: number, told_deg: readonly number[], height_mm: number }} Touch */
+/** A point that was the next one: what the arm said there, or nothing where it was left out. @typedef {{ point: number, raw_deg: readonly number[] | null, height_mm: number }} Visit */
+/** A touched point, and how high the block was on it. @typedef {{ point: number, raw_deg: readonly number[], height_mm: number }} Touch */
 /** Why no point can be recorded now: the end of a text key. @typedef {"no_connection" | "no_arm" | "not_confirmed" | "moving"} TouchBlockedReason */
 
 /** A printed sheet and the measured length of its bar. @typedef {{ sheet: number, bar_mm: number }} Print */
@@ -45,7 +45,7 @@ export const NO_CALIBRATE = { known: null, sheet: null, number: "", bar: "", pri
  * | { type: "calibrate_bar", print: Print, problem: Problem | null }
  * | { type: "calibrate_tool_measured" }
  * | { type: "calibrate_block_typed", text: string }
- * | { type: "calibrate_visited", told_deg: readonly number[] | null }
+ * | { type: "calibrate_visited", raw_deg: readonly number[] | null }
  * | { type: "calibrate_back" }
  * | { type: "calibrate_fitted", revision: number, fit: Schemas["FitReport"] | null, problem: Problem | null }
  * | { type: "calibrate_shown" }} CalibrateMessage */
@@ -54,7 +54,7 @@ export const NO_CALIBRATE = { known: null, sheet: null, number: "", bar: "", pri
 export const nextPoint = ({ visits, sheet }) => visits.length % (sheet?.points_mm.length ?? 1);
 
 /** @param {Calibrate} calibrate @returns {Touch[]} */
-export const touchesOf = ({ visits }) => visits.flatMap(({ point, told_deg, height_mm }) => (told_deg ? [{ point, told_deg, height_mm }] : []));
+export const touchesOf = ({ visits }) => visits.flatMap(({ point, raw_deg, height_mm }) => (raw_deg ? [{ point, raw_deg, height_mm }] : []));
 
 /** Height of the block on the next point in mm: 0 if empty, NaN if invalid. @param {Calibrate} calibrate */
 function blockHeight({ block }) {
@@ -65,7 +65,7 @@ function blockHeight({ block }) {
 /** The fit request. @param {Calibrate} calibrate */
 export function questionOf(calibrate) {
   const { sheet, print, known, tool_measured } = calibrate;
-  const touches = touchesOf(calibrate).map(({ point, told_deg, height_mm }) => ({ place_mm: sheet?.points_mm[point], told_deg, height_mm }));
+  const touches = touchesOf(calibrate).map(({ point, raw_deg, height_mm }) => ({ place_mm: sheet?.points_mm[point], raw_deg, height_mm }));
   // Keeps the measured backlash.
   return { touches, ...print, tool_measured, backlash: known?.calibration?.backlash };
 }
@@ -119,7 +119,7 @@ export function pointBlockedReason(page) {
 
 /** The raw joint angles, as the arm reports them. @param {import("./types.js").Arm} arm */
 export function rawDegrees(arm) {
-  const { base_deg, rear_deg, fore_deg } = arm.told ?? arm;
+  const { base_deg, rear_deg, fore_deg } = arm.raw ?? arm;
   return [base_deg, rear_deg, fore_deg];
 }
 
@@ -151,7 +151,7 @@ export function reduceCalibrate(calibrate, message) {
     case "calibrate_tool_measured":
       return { ...calibrate, revision: revision + 1, tool_measured: true };
     case "calibrate_visited":
-      return { ...visited(calibrate, [...visits, { point: nextPoint(calibrate), told_deg: message.told_deg, height_mm: blockHeight(calibrate) }]), block: "" };
+      return { ...visited(calibrate, [...visits, { point: nextPoint(calibrate), raw_deg: message.raw_deg, height_mm: blockHeight(calibrate) }]), block: "" };
     case "calibrate_block_typed":
       return { ...calibrate, block: message.text };
     case "calibrate_back":

@@ -7,12 +7,12 @@ const SHEET = { points_mm: [[215, 0], [155, 100], [275, 100]] };
 const PRINT = { sheet: 417, bar_mm: 189.5 };
 const FILE = { zeros: { base: 3, rear: -4, fore: 2 }, tool: { out_mm: 1, left_mm: 0 }, axis: { x_mm: 0, y_mm: 0 }, paper: null, backlash: { base: 0.2, rear: 0, fore: 0 }, touched: null };
 const FIT = { calibration: FILE, away_mm: [0.1], wrong: [], left_out: null, tool_mm: [56, 0], expected_mm: 0.2, unsure: [], advice: null, trust: "good" };
-const ARM = { base_deg: 1, rear_deg: 45, fore_deg: 45, moving: false, told: null };
+const ARM = { base_deg: 1, rear_deg: 45, fore_deg: 45, moving: false, raw: null };
 const STATION = { link: { phase: "up" }, arm: ARM, trust: { trusted: true }, queue: { waiting: 0, under_way: 0 } };
 
 const after = (messages, calibrate = NO_CALIBRATE) => messages.reduce(reduceCalibrate, calibrate);
-const touched = (base_deg) => ({ type: "calibrate_visited", told_deg: [base_deg, 45, 45] });
-const SKIPPED = { type: "calibrate_visited", told_deg: null };
+const touched = (base_deg) => ({ type: "calibrate_visited", raw_deg: [base_deg, 45, 45] });
+const SKIPPED = { type: "calibrate_visited", raw_deg: null };
 const BEGUN = after([{ type: "calibrate_begun", sheet: SHEET }, { type: "calibrate_bar", print: PRINT, problem: null }]);
 
 /** The state after what is told of the touches as they are. */
@@ -29,7 +29,7 @@ test("each touch and each skipped point advances to the next one, and both can b
 
 test("the station is asked about the touches with their places, the bar, and the known backlash", () => {
   const known = after([{ type: "calibrations", known: { calibration: FILE, before: null } }, SKIPPED, touched(2)], BEGUN);
-  assert.deepEqual(questionOf(known), { touches: [{ place_mm: [155, 100], told_deg: [2, 45, 45], height_mm: 0 }], ...PRINT, tool_measured: false, backlash: FILE.backlash });
+  assert.deepEqual(questionOf(known), { touches: [{ place_mm: [155, 100], raw_deg: [2, 45, 45], height_mm: 0 }], ...PRINT, tool_measured: false, backlash: FILE.backlash });
 });
 
 test("a block on a point applies to one touch, and an impossible height of a block prevents it", () => {
@@ -100,7 +100,7 @@ test("numbers are shown with their changes, and those that a calibration does no
 
 test("a touch is the raw pose of the arm, even if a calibration is known", () => {
   assert.deepEqual(rawDegrees(ARM), [1, 45, 45]);
-  assert.deepEqual(rawDegrees({ ...ARM, told: { base_deg: -2, rear_deg: 49, fore_deg: 43 } }), [-2, 49, 43]);
+  assert.deepEqual(rawDegrees({ ...ARM, raw: { base_deg: -2, rear_deg: 49, fore_deg: 43 } }), [-2, 49, 43]);
 });
 
 test("a touch is accepted while the arm is at rest and its pose is trusted", () => {

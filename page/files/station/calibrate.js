@@ -75,7 +75,7 @@ export function createCalibrate(store, http, change) {
     /** The tip stands on the point. */
     touch() {
       const arm = store.page.station?.arm;
-      if (arm && !pointBlockedReason(store.page)) send({ type: "calibrate_visited", told_deg: rawDegrees(arm) });
+      if (arm && !pointBlockedReason(store.page)) send({ type: "calibrate_visited", raw_deg: rawDegrees(arm) });
     },
     /** Saves exactly the reviewed calibration. */
     async keep() {

@@ -28,13 +28,13 @@ def encrypted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[tuple
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as process:
         try:
             assert process.stdout is not None
-            told: dict[str, str] = {}
+            reported: dict[str, str] = {}
             for line in process.stdout:
                 name, _, value = line.strip().partition(" ")
-                told[name] = value.strip()
+                reported[name] = value.strip()
                 if "the arm is connected" in line:
                     break
-            yield told["page"], told["fingerprint"], token
+            yield reported["page"], reported["fingerprint"], token
         finally:
             process.terminate()
 
@@ -46,7 +46,7 @@ def test_a_station_is_trusted_by_its_fingerprint(encrypted: tuple[str, str, str]
         assert arm.move_to(220, 0, 20).x_mm == pytest.approx(220, abs=1)
 
 
-def test_what_is_not_trusted_is_not_talked_to(encrypted: tuple[str, str, str]) -> None:
+def test_an_untrusted_certificate_is_refused(encrypted: tuple[str, str, str]) -> None:
     address, fingerprint, token = encrypted
     other = fingerprint[:-1] + ("0" if fingerprint[-1] != "0" else "1")
     with pytest.raises(dobot.LinkLost, match="not trusted"):
@@ -61,7 +61,7 @@ def test_what_is_not_trusted_is_not_talked_to(encrypted: tuple[str, str, str]) -
         dobot.connect(address, ca="none.pem", token=token)
 
 
-def test_who_has_no_token_is_refused_with_the_reason(encrypted: tuple[str, str, str]) -> None:
+def test_a_client_without_a_token_is_refused_with_the_reason(encrypted: tuple[str, str, str]) -> None:
     address, fingerprint, _ = encrypted
     with pytest.raises(dobot.Refused) as refused:
         dobot.connect(address, fingerprint=fingerprint, token="0" * 64)

@@ -236,7 +236,7 @@ impl Arm {
     /// Returns the angles that the arm reports with its tool at a position (Newton's method).
     fn raw_at(&self, wanted: [f64; 3], slack: [f64; 3]) -> Joints {
         let near =
-            Calibration::NONE.told_joints(Position::new(wanted[0], wanted[1], wanted[2]), TOOL);
+            Calibration::NONE.raw_joints(Position::new(wanted[0], wanted[1], wanted[2]), TOOL);
         let near = near.expect("the sheet is in reach");
         let mut raw = [near.base, near.rear, near.fore].map(|angle| angle.0);
         for (angle, zero) in raw.iter_mut().zip(self.zeros_deg) {
@@ -302,7 +302,7 @@ impl Arm {
         };
         let mut raw = found
             .arm
-            .told_joints(wanted, TOOL)
+            .raw_joints(wanted, TOOL)
             .expect("the sheet is in reach");
         raw.base = raw.base - Degrees(case.turned_deg);
         // If a joint may come from either side, it is in the middle of its backlash on average.

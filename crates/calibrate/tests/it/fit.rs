@@ -22,7 +22,7 @@ fn touch([x, y]: [f64; 2], miss_mm: [f64; 2]) -> Touch {
     Touch {
         place_mm: [x, y],
         height_mm: 0.0,
-        raw: ARM.told_joints(place, Tool::SuctionCup).unwrap(),
+        raw: ARM.raw_joints(place, Tool::SuctionCup).unwrap(),
     }
 }
 
@@ -36,7 +36,7 @@ fn an_old_arm_finds_every_place_of_its_paper_again() {
     assert_eq!(found.trust, Trust::Good);
     for [x, y] in [[150.0, -100.0], [230.0, 40.0], [270.0, 100.0]] {
         let wanted = Position::new(x, y, found.paper.z_at([x, y]));
-        let raw = found.arm.told_place(wanted, Tool::SuctionCup).unwrap();
+        let raw = found.arm.raw_place(wanted, Tool::SuctionCup).unwrap();
         let reached = ARM.true_place(raw, Tool::SuctionCup).unwrap();
         let away = (reached.x.0 - x).hypot(reached.y.0 - y);
         assert!(away < 0.15, "{x}, {y}: {away} mm away");

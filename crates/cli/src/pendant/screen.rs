@@ -160,7 +160,7 @@ pub(crate) fn answer(pendant: &Pendant) -> Paragraph<'_> {
 impl Pendant {
     /// The remedy while no key moves the arm.
     fn remedy(&self) -> Option<&'static str> {
-        self.hindrance().map(|question| match question {
+        self.question().map(|question| match question {
             Question::Reset => "look at the arm, then press r to clear the stop",
             Question::Confirm => {
                 "compare the arm with the screen, turn it by hand if it differs, then press r"

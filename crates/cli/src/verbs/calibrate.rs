@@ -240,7 +240,7 @@ async fn apply_for_paper(
         return apply(station, Some(known.clone())).await;
     }
     let (arm, _) = control::arm(station).await?;
-    if arm.told.is_some() {
+    if arm.raw.is_some() {
         return Err(Failure::new(
             anyhow!("the arm is calibrated, but its calibration file does not exist"),
             "name the file of its calibration, or discard it: `dobot calibrate --forget`",
@@ -254,7 +254,7 @@ async fn send_angles(station: &mut StationClient, to: &To) -> Result<(), Failure
     check_pose(station, to.pose_confirmed).await?;
     take_control(station).await?;
     let (arm, _) = control::arm(station).await?;
-    if arm.told.is_none() {
+    if arm.raw.is_none() {
         return Err(Failure::new(
             anyhow!("the arm is not calibrated, so that its calibrated angles are unknown"),
             "calibrate it with `dobot calibrate ARM.toml`",
@@ -271,7 +271,7 @@ async fn send_angles(station: &mut StationClient, to: &To) -> Result<(), Failure
         let turned = MoveJoints::to([base_deg, rear_deg, fore_deg, servo_deg]);
         run_command(station, turned.with_mode(MovingMode::MovJ).into()).await?;
     }
-    station.request_at_rest(Request::TellAngles).await?;
+    station.request_at_rest(Request::SetAngles).await?;
     control::wait_for_rest(station).await?;
     Ok(output::line(
         "the arm has its calibrated angles until it is switched off; look at it, then run `dobot confirm`",

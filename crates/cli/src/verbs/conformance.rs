@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use anyhow::{Context, anyhow};
-use dobot_conformance::{HEADING, Hindrance, Options, Outcome, Report, Row, Suite, Verdict};
+use dobot_conformance::{Blocker, HEADING, Options, Outcome, Report, Row, Suite, Verdict};
 use dobot_controller::{Controller, Personality, Port, PowerUp};
 use dobot_session::{Address, Link};
 use dobot_sim::{InProcess, SerialLine, VirtualArm};
@@ -203,7 +203,7 @@ fn judge(report: &Report, address: &Address) -> Result<(), Failure> {
     if report.conforms() {
         return Ok(());
     }
-    if let Some(why) = report.hindrance()
+    if let Some(why) = report.blocker()
         && report.differing().is_empty()
     {
         return Err(Failure::new(
@@ -239,12 +239,12 @@ fn judge(report: &Report, address: &Address) -> Result<(), Failure> {
 }
 
 /// Returns a remedy for an arm that was not moved.
-fn remedy(why: &Hindrance, address: &Address) -> String {
+fn remedy(why: &Blocker, address: &Address) -> String {
     match why {
-        Hindrance::Pump => format!(
+        Blocker::Pump => format!(
             "switch it off with `dobot jog suction-off --to {address}`; if it is off, the status reports it inverted"
         ),
-        Hindrance::Slow(_) => {
+        Blocker::Slow(_) => {
             "run it on the machine that the arm is plugged into: `dobot conformance serial:PORT`"
                 .into()
         }
@@ -322,13 +322,13 @@ mod tests {
     fn each_hindrance_has_its_remedy() {
         let address = Address::Virtual;
         for (why, expected) in [
-            (Hindrance::Pump, "dobot jog suction-off"),
+            (Blocker::Pump, "dobot jog suction-off"),
             (
-                Hindrance::Cramped("no room".into()),
+                Blocker::Cramped("no room".into()),
                 "dobot move --joints 0 45 45",
             ),
             (
-                Hindrance::Slow(Duration::from_secs(1)),
+                Blocker::Slow(Duration::from_secs(1)),
                 "dobot conformance serial:PORT",
             ),
         ] {

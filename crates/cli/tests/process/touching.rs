@@ -246,7 +246,7 @@ fn an_arm_calibrated_by_the_api_alone_draws_the_harbour_at_its_place() {
     api.asks("POST", "pose/confirm", &json!({}));
     let touches = SHEET_POINTS.map(|[x, y]| {
         let there = Position::new(x, y, PAPER_MM);
-        let on = ZEROS.told_joints(there, Tool::SuctionCup).expect("it reaches the sheet");
+        let on = ZEROS.raw_joints(there, Tool::SuctionCup).expect("it reaches the sheet");
         let above = [on.base.0 - 3.0, on.rear.0 - 1.0, on.fore.0 - 1.0];
         for [base, rear, fore] in [above, [on.base.0, on.rear.0, on.fore.0]] {
             let command = json!({
@@ -256,7 +256,7 @@ fn an_arm_calibrated_by_the_api_alone_draws_the_harbour_at_its_place() {
             api.asks("POST", "commands", &json!({"command": command, "wait": true}));
         }
         let arm = &api.asks("GET", "state", &Value::Null)["arm"];
-        json!({"place_mm": [x, y], "told_deg": [arm["base_deg"], arm["rear_deg"], arm["fore_deg"]]})
+        json!({"place_mm": [x, y], "raw_deg": [arm["base_deg"], arm["rear_deg"], arm["fore_deg"]]})
     });
     let sheet = Sheet::chosen_by(17);
     let touches = json!({"touches": touches, "sheet": sheet.number(), "bar_mm": sheet.bar_mm()});

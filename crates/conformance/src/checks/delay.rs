@@ -4,9 +4,9 @@ use std::time::Duration;
 
 use dobot_wire::{Frame, PACKET_LEN, Status};
 
-use crate::checks::link::hindrance;
+use crate::blocker::Blocker;
+use crate::checks::link::blocker;
 use crate::checks::settings::{reach_of, show_tool, tool_frame};
-use crate::hindrance::Hindrance;
 use crate::latency::{Latency, MAX_LATENCY};
 use crate::observed_motion::PERIOD_S;
 use crate::outcome::Outcome;
@@ -26,7 +26,7 @@ enum VisibleChange {
 /// Applies and reverts a visible change a few times and measures its delay.
 pub(crate) async fn measure(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let start = rig.start.ok_or(CheckError::Homeless)?;
-    if let Some(why) = hindrance(&start) {
+    if let Some(why) = blocker(&start) {
         return Ok(forbidden(rig, why));
     }
     let mut answers = Vec::new();
@@ -56,7 +56,7 @@ pub(crate) async fn measure(rig: &mut Rig) -> Result<Outcome, CheckError> {
     let latency = Latency::of(&answers, jitter(&rig.seen)).ok_or(CheckError::Unanswered)?;
     rig.latency = Some(latency);
     if latency.most > MAX_LATENCY {
-        return Ok(forbidden(rig, Hindrance::Slow(latency.most)));
+        return Ok(forbidden(rig, Blocker::Slow(latency.most)));
     }
     rig.settled().await?;
     Ok(match lost {
@@ -127,9 +127,9 @@ fn jitter(seen: &[TimedStatus]) -> Duration {
     Duration::from_secs_f64((most - least) * PERIOD_S)
 }
 
-fn forbidden(rig: &mut Rig, why: Hindrance) -> Outcome {
+fn forbidden(rig: &mut Rig, why: Blocker) -> Outcome {
     let outcome = Outcome::NotTried(why.to_string());
-    rig.hindrance = Some(why);
+    rig.blocker = Some(why);
     outcome
 }
 

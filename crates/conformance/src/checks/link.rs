@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, inverse};
 use dobot_wire::{PACKET_LEN, Status};
 
-use crate::hindrance::Hindrance;
+use crate::blocker::Blocker;
 use crate::observed_motion::PERIOD_S;
 use crate::outcome::Outcome;
 use crate::rig::{CheckError, Rig, disagreement, joints, lenient, tool_of, turned};
@@ -133,11 +133,11 @@ pub(crate) fn start(rig: &mut Rig) -> Outcome {
 }
 
 /// The reason not to move the arm from its position.
-pub(crate) fn hindrance(start: &Status) -> Option<Hindrance> {
+pub(crate) fn blocker(start: &Status) -> Option<Blocker> {
     if start.suction {
-        return Some(Hindrance::Pump);
+        return Some(Blocker::Pump);
     }
-    cramped(start).map(Hindrance::Cramped)
+    cramped(start).map(Blocker::Cramped)
 }
 
 /// The reason why the arm has too little room: the checks move by up to 10 mm and 5 degrees, and jump

@@ -122,7 +122,7 @@ pub(crate) async fn angles(rig: &mut Rig) -> Result<Outcome, CheckError> {
     // One degree more or less, so that `rear` and `90 - rear` differ.
     let by = if before.rear_deg < 45.0 { -1.0 } else { 1.0 };
     let sent_deg = before.rear_deg + by;
-    let after = tell_angles(rig, sent_deg, &before).await?;
+    let after = set_angles(rig, sent_deg, &before).await?;
     let is = |rear: f32| (after.rear_deg - rear).abs() < 0.01;
     let (document, stock) = (is(sent_deg), is(90.0 - sent_deg));
     if document || stock {
@@ -130,7 +130,7 @@ pub(crate) async fn angles(rig: &mut Rig) -> Result<Outcome, CheckError> {
         let back = if stock { 90.0 - rear } else { rear };
         // A command may get lost, and untrue angles would end everything.
         for _ in 0..3 {
-            if (tell_angles(rig, back, &before).await?.rear_deg - rear).abs() <= 0.001 {
+            if (set_angles(rig, back, &before).await?.rear_deg - rear).abs() <= 0.001 {
                 break;
             }
         }
@@ -146,7 +146,7 @@ pub(crate) async fn angles(rig: &mut Rig) -> Result<Outcome, CheckError> {
 }
 
 /// Sends initial angles: float 3, and the current forearm angle.
-async fn tell_angles(rig: &mut Rig, float_3: f32, now: &Status) -> Result<Status, CheckError> {
+async fn set_angles(rig: &mut Rig, float_3: f32, now: &Status) -> Result<Status, CheckError> {
     let packet = configuration(3.0, &[float_3, now.fore_deg]);
     Ok(rig.carry_out(packet).await?.0)
 }

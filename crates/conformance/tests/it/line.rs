@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_conformance::{Hindrance, Verdict};
+use dobot_conformance::{Blocker, Verdict};
 use dobot_controller::Personality;
 use dobot_geometry::Random;
 
@@ -22,11 +22,14 @@ async fn all_holds_behind_a_line_of_up_to_250_ms_each_way_and_its_latency_is_rep
             let report = check(peer, ALL).await;
             assert!(report.conforms(), "{one_way} ms: {}", table(&report));
             assert_eq!(untried(&report), [""; 0]);
-            let told = report.latency().expect("it was measured").least;
-            let off = told.abs_diff(ms(2 * one_way));
-            assert!(off <= ms(25), "{one_way} ms each way, told {told:?}");
+            let reported = report.latency().expect("it was measured").least;
+            let off = reported.abs_diff(ms(2 * one_way));
+            assert!(
+                off <= ms(25),
+                "{one_way} ms each way, reported {reported:?}"
+            );
             let text = report.markdown("virtual:", "2016-02-26");
-            assert!(text.contains(&format!("| latency | {} ms", told.as_millis())));
+            assert!(text.contains(&format!("| latency | {} ms", reported.as_millis())));
         }
     }
 }
@@ -42,14 +45,14 @@ async fn a_line_that_is_now_fast_and_now_slow_is_waited_for() {
 
 #[tokio::test]
 async fn a_line_too_slow_is_reported_and_nothing_is_moved() {
-    for (one_way, told) in [(350, 700), (900, 1800), (2500, 5000)] {
+    for (one_way, reported) in [(350, 700), (900, 1800), (2500, 5000)] {
         let arm = speaking(Personality::Firmware11);
         let report = check(Delayed::by(arm.clone(), ms(one_way)), ON_A_PORT).await;
         assert_eq!(report.differing(), [""; 0], "{}", table(&report));
-        let Some(Hindrance::Slow(took)) = report.hindrance() else {
+        let Some(Blocker::Slow(took)) = report.blocker() else {
             panic!("{}", table(&report));
         };
-        assert!(took.abs_diff(ms(told)) <= ms(25), "{took:?}");
+        assert!(took.abs_diff(ms(reported)) <= ms(25), "{took:?}");
         let outcome = report.outcome("move-point").expect("it is one");
         assert!(
             outcome
@@ -146,7 +149,7 @@ async fn a_check_that_holds_at_the_second_time_only_is_unsteady() {
 async fn a_pump_that_runs_is_said_to_hinder() {
     let broken = good().says(|frame| Some(frame.with(9, 1.0).to_bytes().to_vec()));
     let report = check(broken, ON_A_PORT).await;
-    assert_eq!(report.hindrance(), Some(&Hindrance::Pump));
+    assert_eq!(report.blocker(), Some(&Blocker::Pump));
 }
 
 #[tokio::test]

@@ -49,7 +49,7 @@ pub(crate) fn raw_strokes(
     let raw = |p: Point| {
         let z_mm = paper.as_ref().map_or(0.0, |paper| paper.z_at(p));
         let there = Position::new(p.x, p.y, z_mm);
-        let raw = arm.told_place(there, tool.end_effector());
+        let raw = arm.raw_place(there, tool.end_effector());
         let raw = raw.map_err(|reason| PlaceError::OutOfReach {
             x_mm: p.x,
             y_mm: p.y,

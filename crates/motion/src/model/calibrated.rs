@@ -46,9 +46,9 @@ pub fn to_raw(
     Ok(match command {
         Command::MoveTo(move_to) => {
             let there = position(move_to.x_mm, move_to.y_mm, move_to.z_mm);
-            let joints = arm.told_joints(there, tool)?;
+            let joints = arm.raw_joints(there, tool)?;
             let above = position(move_to.x_mm, move_to.y_mm, move_to.z_mm + 1.0);
-            let lowered = arm.told_joints(above, tool).ok();
+            let lowered = arm.raw_joints(above, tool).ok();
             let from = match move_to.mode {
                 // A JUMP approaches its end from above, with the base already turned.
                 MovingMode::Jump => from.zip(lowered).map(|(from, above)| Joints {
@@ -74,7 +74,7 @@ pub fn to_raw(
                 move_joints.fore_deg,
             ]
             .map(f64::from);
-            let joints = arm.told_joints_of(&Joints::new(base, rear, fore, 0.0));
+            let joints = arm.raw_joints_of(&Joints::new(base, rear, fore, 0.0));
             let raw = compensated(&joints, from, arm);
             MoveJoints {
                 base_deg: single(raw.base.0),
@@ -122,7 +122,7 @@ impl Model {
             Command::WriteVector(write) if !write.stop && !arm.is_none() => {
                 let here = self.calibrated_place(&self.place).pose.position;
                 let there = here + position(write.x_mm, write.y_mm, write.z_mm);
-                let joints = arm.told_joints(there, self.tool)?;
+                let joints = arm.raw_joints(there, self.tool)?;
                 let joints = compensated(&joints, Some(&self.place.joints), arm);
                 let raw = forward(&joints, self.tool).position - self.place.pose.position;
                 Ok(WriteVector {

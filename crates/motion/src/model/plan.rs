@@ -149,7 +149,7 @@ fn gesture(hand: &Gesture, model: &Model) -> Result<Trajectory, TrajectoryError>
 }
 
 fn spoken(voice: &Voice, model: &Model) -> Result<Trajectory, TrajectoryError> {
-    if !model.dialect.hears_voice && !model.is_bluetooth {
+    if !model.dialect.accepts_voice && !model.is_bluetooth {
         return Err(TrajectoryError::NotHeard);
     }
     match VoiceOrder::parse(voice).ok_or(TrajectoryError::NotUnderstood)? {

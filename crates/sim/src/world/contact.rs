@@ -42,7 +42,7 @@ pub(crate) struct Scenery<'a> {
 
 impl Contacts {
     /// Finds the contacts, and reports those that are new or twice as deep as before.
-    pub(crate) fn look(&mut self, scenery: &Scenery<'_>, mut tell: impl FnMut(Event)) {
+    pub(crate) fn look(&mut self, scenery: &Scenery<'_>, mut report: impl FnMut(Event)) {
         let mut now = Vec::new();
         scenery.tool(&mut now);
         scenery.load(&mut now);
@@ -51,7 +51,7 @@ impl Contacts {
             let same = |it: &&(Mover, Obstacle, f64)| (it.0, it.1) == (contact.0, contact.1);
             match self.reported.iter().find(same) {
                 Some(reported) if contact.2 < 2.0 * reported.2 => contact.2 = reported.2,
-                _ => tell(scenery.event(contact)),
+                _ => report(scenery.event(contact)),
             }
         }
         self.reported = now;

@@ -283,8 +283,8 @@ impl Trial {
             .connection
             .send(move_to(MovingMode::MovJ, 400.0, 0.0, 0.0));
         let far = far.expect("nobody has looked along its way");
-        let told = self.connection.completed(far).await;
-        told.expect_err("it is out of reach");
+        let reported = self.connection.completed(far).await;
+        reported.expect_err("it is out of reach");
         self.pass(ms(700)).await;
         self.sent = self.arm.arm().controller().counters().begun;
         let laser_off = button(JointJogAxis::LaserOff, 0.0);
@@ -407,7 +407,11 @@ const TOGETHER: [CommandKind; 7] = [
 /// One kind, or several commands in one go.
 async fn try_it(personality: Personality, kind: Option<CommandKind>, seed: u64) -> Duration {
     let mut trial = Trial::new(personality, seed);
-    trial.connection.next_status().await.expect("it tells");
+    trial
+        .connection
+        .next_status()
+        .await
+        .expect("a status arrives");
     // Half of the sessions have seen how fast the link is.
     if seed.is_multiple_of(2) {
         trial.come_back().await;
@@ -455,7 +459,7 @@ fn a_reported_completion_is_true_at_any_phase_and_latency() {
                     Err(_) => wrong.push(seed),
                 }
             }
-            println!("{personality} {kind:?}: told {latest:?} late at most, wrong: {wrong:?}");
+            println!("{personality} {kind:?}: reported {latest:?} late at most, wrong: {wrong:?}");
             if !wrong.is_empty() {
                 failures.push((personality, kind, wrong));
             }

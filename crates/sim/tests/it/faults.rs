@@ -88,7 +88,7 @@ fn assert_apart(arm: &VirtualArm, expected: [f64; 4]) {
     }
 }
 
-fn told(arm: &mut VirtualArm) -> Vec<String> {
+fn reported(arm: &mut VirtualArm) -> Vec<String> {
     std::iter::from_fn(|| arm.poll_struck())
         .map(|it| it.to_string())
         .collect()
@@ -114,9 +114,9 @@ mod machine {
             let received = listen(&mut arm, s(20));
             (arm, statuses(&received))
         };
-        let (right, told_right) = run(&[]);
-        let (arm, told) = run(&["lose=base:100@1s"]);
-        assert_eq!(told, told_right);
+        let (right, reported_right) = run(&[]);
+        let (arm, reported) = run(&["lose=base:100@1s"]);
+        assert_eq!(reported, reported_right);
         assert_apart(&right, [0.0; 4]);
         // 100 pulses of 1.8 / 160 degrees; the base turned in positive direction.
         assert_apart(&arm, [-1.125, 0.0, 0.0, 0.0]);
@@ -171,7 +171,7 @@ mod controller {
         assert!((shift - 1.5).abs() < 0.02, "{shift}");
         assert_apart(&arm, [turned_deg, -1.5, 0.8, 0.0]);
         assert_eq!(
-            told(&mut arm),
+            reported(&mut arm),
             ["12.000 s: fault reset=rear:1.5,fore:-0.8@12s"]
         );
     }
@@ -223,7 +223,7 @@ mod controller {
         assert!((f64::from(status.rear_deg) - stood.rear.0).abs() < 1e-4);
         assert_apart(&arm, [stood.base.0, 0.0, 0.0, 0.0]);
         assert_eq!(
-            told(&mut arm),
+            reported(&mut arm),
             [
                 "2.000 s: fault power@2s..5s",
                 "5.000 s: fault power@2s..5s is over"
@@ -493,8 +493,8 @@ fn sliced(
         arm.handle_time(until.min(s(12)));
         arm.poll_bytes(&mut received);
     }
-    let told = told(&mut arm);
-    let end = format!("{:?} {told:?}", truth(&arm));
+    let reported = reported(&mut arm);
+    let end = format!("{:?} {reported:?}", truth(&arm));
     (received, end)
 }
 

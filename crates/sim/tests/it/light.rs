@@ -2,7 +2,7 @@
 
 use dobot_sim::Sample;
 
-/// How long the laser was on at the most while the arm stood, in seconds: of the arm, not as told. It
+/// How long the laser was on at the most while the arm stood, in seconds: of the arm, not as reported. It
 /// stands where it goes less than `still_mm` from one sample to the next.
 pub(crate) fn longest_stand_s(samples: &[Sample], still_mm: f64) -> f64 {
     let mut longest_s: f64 = 0.0;

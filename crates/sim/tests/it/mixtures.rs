@@ -70,14 +70,14 @@ proptest! {
     #[test]
     fn pulses_add_up_to_the_angles(mixture in mixture()) {
         let run = run(&mixture, Slicing::Ticks);
-        prop_assume!(!mixture.has_text() && !may(&mixture, told_angles));
-        let mut told = 0;
+        prop_assume!(!mixture.has_text() && !may(&mixture, sets_angles));
+        let mut reported = 0;
         for (tick, row) in run.rows.iter().enumerate() {
-            if row.uploads == told {
+            if row.uploads == reported {
                 continue;
             }
-            told = row.uploads;
-            let floats = floats(&run.uploads[told - 1], mixture.port);
+            reported = row.uploads;
+            let floats = floats(&run.uploads[reported - 1], mixture.port);
             if floats.iter().any(|it| !it.is_finite()) {
                 break;
             }
@@ -96,7 +96,7 @@ proptest! {
     /// The hard limits of each joint (note N42); the servo's does not hold at the end of a line.
     #[test]
     fn no_joint_goes_beyond_its_hard_limit(mixture in mixture()) {
-        prop_assume!(!may(&mixture, told_angles));
+        prop_assume!(!may(&mixture, sets_angles));
         let run = run(&mixture, Slicing::Ticks);
         for upload in &run.uploads {
             let floats = floats(upload, mixture.port);
@@ -201,7 +201,7 @@ fn may(mixture: &Mixture, what: fn(&[f32; 10]) -> bool) -> bool {
     mixture.has_noise() || mixture.packets().any(what)
 }
 
-fn told_angles(floats: &[f32; 10]) -> bool {
+fn sets_angles(floats: &[f32; 10]) -> bool {
     whole(floats[0]) == 9 && whole(floats[1]) == 3
 }
 

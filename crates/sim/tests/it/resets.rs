@@ -30,12 +30,13 @@ impl SessionInput {
     fn by(script: &Script) -> Self {
         let mut joints = Vec::new();
         let watch = |at, controller: &Controller| joints.push(controller.joints_at(at));
-        let told = simulate_watched(script, Personality::Firmware11, watch).expect("it has both");
+        let reported =
+            simulate_watched(script, Personality::Firmware11, watch).expect("it has both");
         let frame = |floats: &[f32; 10]| {
             let with = |frame: Frame, (n, float): (usize, &f32)| frame.with(n, *float);
             (1..).zip(floats).fold(Frame::ZERO, with)
         };
-        let statuses = told.trace.statuses.iter();
+        let statuses = reported.trace.statuses.iter();
         let bytes: Vec<u8> = script
             .lines
             .iter()
@@ -158,7 +159,7 @@ fn run(
         .build()
         .expect("it is simple");
     runtime.block_on(async {
-        connection.next_status().await.expect("it tells");
+        connection.next_status().await.expect("a status arrives");
         for command in program {
             // What a stock arm would lose its pose by is refused.
             let _ = connection.send(*command);
@@ -200,7 +201,7 @@ proptest! {
         let (arm, connection, statuses) =
             run(personality(stock), &[reset], &program, ahead(full), until);
         let before = statuses.iter().rfind(|it| it.0 < at + PACKET + TICK).expect("a status arrived").1;
-        let after = statuses.iter().find(|it| it.0 > at + DEAF).expect("it tells again").1;
+        let after = statuses.iter().find(|it| it.0 > at + DEAF).expect("a status arrives again").1;
         let angles = |it: &Status| [it.base_deg, it.rear_deg, it.fore_deg];
         if angles(&before) != angles(&after) {
             prop_assert!(!connection.session().is_trusted(), "{before:?}, {after:?}");

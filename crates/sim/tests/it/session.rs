@@ -63,7 +63,7 @@ async fn stopped(
 ) -> (Duration, Duration) {
     let arm = virtual_arm(personality, &[], 0);
     let mut connection = connect(&arm, personality);
-    connection.next_status().await.expect("it tells");
+    connection.next_status().await.expect("a status arrives");
     for command in commands {
         // Lines to where the arm will be are none for a stock arm.
         let _ = connection.send(*command);
@@ -111,7 +111,7 @@ async fn what_waits_in_the_arm_takes_half_a_second_and_a_command_at_the_most() {
     for personality in Personality::ALL {
         let arm = virtual_arm(personality, &[], 0);
         let mut connection = connect(&arm, personality);
-        connection.next_status().await.expect("it tells");
+        connection.next_status().await.expect("a status arrives");
         let mut last = None;
         for n in 0..40_u8 {
             // 6 mm in 0.49 s each, from rest to rest.
@@ -140,7 +140,7 @@ async fn after_a_stop_no_motion_begins_later_than_half_a_second() {
     for personality in Personality::ALL {
         let arm = virtual_arm(personality, &[], 0);
         let mut connection = connect(&arm, personality);
-        connection.next_status().await.expect("it tells");
+        connection.next_status().await.expect("a status arrives");
         let there = move_to(MovingMode::MovL, 220.0, -60.0, 0.0);
         let id = connection.send(there).expect("it is allowed");
         connection.completed(id).await.expect("it is reached");
@@ -174,7 +174,7 @@ async fn after_a_stop_no_motion_begins_later_than_half_a_second() {
 async fn targets_passed_without_a_rest_follow_each_other_without_a_pause() {
     let arm = virtual_arm(Personality::Specification, &[], 0);
     let mut connection = connect(&arm, Personality::Specification);
-    connection.next_status().await.expect("it tells");
+    connection.next_status().await.expect("a status arrives");
     let mut planned_s = 0.0;
     let mut last = None;
     for n in 0..20_u8 {
@@ -200,7 +200,7 @@ async fn an_arm_that_was_reset_is_sent_no_motion_until_its_pose_is_confirmed() {
     for personality in Personality::ALL {
         let arm = virtual_arm(personality, &["reset@8s"], 0);
         let mut connection = connect(&arm, personality);
-        connection.next_status().await.expect("it tells");
+        connection.next_status().await.expect("a status arrives");
         let aside = move_to(MovingMode::MovJ, 220.0, 60.0, 20.0);
         let id = connection.send(aside).expect("it is allowed");
         connection.completed(id).await.expect("it is reached");
@@ -238,7 +238,7 @@ async fn a_reset_in_the_middle_of_a_drawing_is_noticed() {
     for personality in Personality::ALL {
         let arm = virtual_arm(personality, &["reset@4s"], 0);
         let mut connection = connect(&arm, personality);
-        connection.next_status().await.expect("it tells");
+        connection.next_status().await.expect("a status arrives");
         connection
             .send(move_to(MovingMode::MovJ, 220.0, 40.0, 0.0))
             .expect("it is allowed");
@@ -264,7 +264,7 @@ async fn initial_angles_make_no_pose_trusted_and_a_trusted_one_untrusted() {
     for personality in Personality::ALL {
         let arm = virtual_arm(personality, &[], 0);
         let mut connection = connect(&arm, personality);
-        let told = Configuration::InitialAngles {
+        let reported = Configuration::InitialAngles {
             rear_deg: 40.0,
             fore_deg: 50.0,
         };
@@ -272,7 +272,7 @@ async fn initial_angles_make_no_pose_trusted_and_a_trusted_one_untrusted() {
             if was_trusted {
                 connection.session_mut().confirm_pose();
             }
-            let id = connection.send(told).expect("it moves nothing");
+            let id = connection.send(reported).expect("it moves nothing");
             assert!(!connection.session().is_trusted(), "{personality}: at once");
             connection.session_mut().confirm_pose();
             connection.completed(id).await.expect("it is seen");
@@ -294,7 +294,7 @@ async fn moving_and_losing_statuses_is_no_reset() {
             let faults = ["drop=0.2%:from", "withhold@status40..+600ms"];
             let arm = virtual_arm(personality, &faults, seed);
             let mut connection = connect(&arm, personality);
-            connection.next_status().await.expect("it tells");
+            connection.next_status().await.expect("a status arrives");
             for n in 0..8_u8 {
                 let y_mm = if n % 2 == 0 { 60.0 } else { 0.0 };
                 let target = move_to(MovingMode::MovJ, 220.0, y_mm, 0.0);
@@ -339,7 +339,7 @@ async fn a_target_beyond_a_limit_and_a_lost_command_are_distinguished() {
 async fn the_quality_of_a_link_is_measured() {
     let good = virtual_arm(Personality::Firmware11, &[], 0);
     let mut connection = connect(&good, Personality::Firmware11);
-    connection.next_status().await.expect("it tells");
+    connection.next_status().await.expect("a status arrives");
     let id = connection.send(move_to(MovingMode::MovJ, 220.0, 40.0, 0.0));
     let id = id.expect("it is allowed");
     connection.completed(id).await.expect("it is reached");
@@ -362,12 +362,12 @@ async fn the_quality_of_a_link_is_measured() {
         next(&mut connection).await;
     }
     let quality = connection.session().link();
-    let told = bad.arm().controller().tick_count() / 4;
+    let reported = bad.arm().controller().tick_count() / 4;
     // A status of 42 bytes loses one with 4.1 %: 61 of 1500.
     let lost = quality.lost;
     assert!(
         (30..100).contains(&lost),
-        "{lost} of {told} lost: {quality:?}"
+        "{lost} of {reported} lost: {quality:?}"
     );
     assert!(quality.damaged_bytes > lost, "{quality:?}");
 }
@@ -390,10 +390,10 @@ async fn an_arm_in_hand_does_what_each_call_says_and_returns_then() {
             .send(button(JointJogAxis::BaseMinus, 50.0))
             .expect("it is allowed");
         for _ in 0..10 {
-            arm.status().await.expect("it tells");
+            arm.status().await.expect("a status arrives");
         }
         let status = arm.stop().await.expect("it stops");
-        let again = arm.status().await.expect("it tells");
+        let again = arm.status().await.expect("a status arrives");
         assert_eq!(status, again, "{personality}");
     }
 }

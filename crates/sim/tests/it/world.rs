@@ -8,7 +8,7 @@ use dobot_sim::world::{Actuators, Event, Object, Point, Scene, World, WorldState
 use dobot_sim::{SerialLine, VirtualArm};
 use proptest::prelude::*;
 
-/// An arm in a world, told where to go.
+/// An arm in a world, placed by the test.
 struct WorldTest {
     world: World,
     scene: Scene,
@@ -30,7 +30,7 @@ impl WorldTest {
             events: Vec::new(),
             scene,
         };
-        lab.tell();
+        lab.update();
         lab
     }
 
@@ -51,7 +51,7 @@ impl WorldTest {
             let share = f64::from(tick) / f64::from(ticks);
             self.at = [0, 1, 2, 3].map(|i| from[i] + (to[i] - from[i]) * share);
             self.now += TICK;
-            self.tell();
+            self.update();
         }
         self
     }
@@ -62,7 +62,7 @@ impl WorldTest {
         for tick in 1..=50 {
             self.at[3] = from + (degrees - from) * f64::from(tick) / 50.0;
             self.now += TICK;
-            self.tell();
+            self.update();
         }
         self
     }
@@ -70,7 +70,7 @@ impl WorldTest {
     fn wait_ms(mut self, ms: u64) -> Self {
         for _ in 0..ms / 20 {
             self.now += TICK;
-            self.tell();
+            self.update();
         }
         self
     }
@@ -90,7 +90,7 @@ impl WorldTest {
         self.wait_ms(20)
     }
 
-    fn tell(&mut self) {
+    fn update(&mut self) {
         let [x, y, height, turn] = self.at;
         let pose = Pose {
             position: Position::new(x, y, height + self.scene.tool.down_z_mm),
@@ -112,9 +112,9 @@ impl WorldTest {
         objects.into_iter().find(|it| it.name == name).unwrap()
     }
 
-    /// All that was told so far; where an expected text ends in `..`, the rest does not matter.
+    /// All reported events; where an expected text ends in `..`, the rest does not matter.
     #[track_caller]
-    fn tells(self, expected: &[&str]) -> Self {
+    fn reports(self, expected: &[&str]) -> Self {
         let same = |(found, expected): (&String, &&str)| match expected.strip_suffix("..") {
             Some(start) => found.starts_with(start),
             None => found == expected,
@@ -153,7 +153,7 @@ fn a_pen_draws_where_it_is_down_and_only_there() {
         .go(240.0, -60.0, 10.0, 80.0)
         .go(240.0, -60.0, 0.0, 40.0)
         .go(240.0, -60.0, 10.0, 40.0)
-        .tells(&[]);
+        .reports(&[]);
     let strokes = lab.state().strokes;
     assert_eq!(strokes.len(), 2, "{strokes:?}");
     let corner = &strokes[0].points_mm;
@@ -177,10 +177,10 @@ fn a_pen_that_leaves_the_paper_or_is_pressed_down_too_far_is_reported_once() {
         .go(200.0, 0.0, -1.9, 40.0)
         .go(200.0, 80.0, -1.9, 40.0)
         .go(200.0, 0.0, -1.9, 40.0)
-        .tells(&["off the paper at x 200.0 y 50.."])
+        .reports(&["off the paper at x 200.0 y 50.."])
         .go(200.0, 0.0, -3.0, 10.0)
         .go(210.0, 0.0, -3.0, 10.0)
-        .tells(&["off the paper at x 200.0 y 50..", "the pen is 2.."]);
+        .reports(&["off the paper at x 200.0 y 50..", "the pen is 2.."]);
 }
 
 #[test]
@@ -207,7 +207,7 @@ fn a_cube_is_picked_up_carried_turned_and_put_on_another_one() {
         .go(200.0, 60.0, 60.0, 100.0)
         .go(200.0, 60.0, 24.0, 40.0)
         .pump(true)
-        .tells(&["picked up red"])
+        .reports(&["picked up red"])
         .go(200.0, 60.0, 100.0, 40.0);
     near(lab.object("red").bottom_mm, 76.0, 0.01);
     assert_eq!(lab.state().held, ["red"]);
@@ -217,7 +217,7 @@ fn a_cube_is_picked_up_carried_turned_and_put_on_another_one() {
         .go(240.0, -60.0, 64.0, 40.0)
         .pump(false)
         .go(240.0, -60.0, 100.0, 40.0)
-        .tells(&["picked up red", "put red down on blue"]);
+        .reports(&["picked up red", "put red down on blue"]);
     let red = lab.object("red");
     at(red.at_mm, 240.0, -60.0, 0.01);
     // It stands on the 40 mm of the other: its top is at the sum of the heights.
@@ -237,9 +237,9 @@ fn what_stands_on_a_cube_is_lifted_with_it_and_falls_with_it() {
         .go(200.0, 60.0, 25.0, 40.0)
         .pump(true)
         .go(200.0, 60.0, 75.0, 40.0)
-        .tells(&["picked up red with 2 on it"]);
+        .reports(&["picked up red with 2 on it"]);
     near(lab.object("pin").bottom_mm, 75.0, 0.01);
-    let lab = lab.pump(false).tells(&[
+    let lab = lab.pump(false).reports(&[
         "picked up red with 2 on it",
         "dropped red: it fell 50.0 mm onto the table",
     ]);
@@ -255,7 +255,7 @@ fn the_pump_lifts_nothing_where_the_cup_touches_nothing() {
         .pump(true)
         .go(200.0, 60.0, 60.0, 40.0)
         .go(150.0, 0.0, 25.0, 40.0)
-        .tells(&[]);
+        .reports(&[]);
     near(lab.object("red").bottom_mm, 0.0, 1e-9);
 }
 
@@ -265,7 +265,7 @@ fn a_pump_that_runs_already_picks_up_what_the_cup_is_lowered_on() {
         .pump(true)
         .go(200.0, 60.0, 60.0, 100.0)
         .go(200.0, 60.0, 25.0, 40.0)
-        .tells(&["picked up red"]);
+        .reports(&["picked up red"]);
 }
 
 #[test]
@@ -275,11 +275,11 @@ fn a_cup_over_an_edge_draws_air() {
         .go(205.0, 60.0, 25.0, 100.0)
         .pump(true)
         .go(205.0, 60.0, 60.0, 100.0)
-        .tells(&["red is not held: the cup stands 2.5 mm over its edge"]);
+        .reports(&["red is not held: the cup stands 2.5 mm over its edge"]);
     WorldTest::new(CUBES)
         .go(202.4, 60.0, 25.0, 100.0)
         .pump(true)
-        .tells(&["picked up red"]);
+        .reports(&["picked up red"]);
 }
 
 #[test]
@@ -290,7 +290,7 @@ fn what_is_too_heavy_stays() {
         .pump(true)
         .wait_ms(200)
         .go(200.0, 60.0, 60.0, 100.0)
-        .tells(&["red is too heavy: it weighs 501 g, the tool lifts 500 g"]);
+        .reports(&["red is too heavy: it weighs 501 g, the tool lifts 500 g"]);
     near(lab.object("red").bottom_mm, 0.0, 1e-9);
 }
 
@@ -299,21 +299,21 @@ fn a_tool_or_a_load_that_runs_into_something_is_reported() {
     WorldTest::new(CUBES)
         .go(200.0, 60.0, 60.0, 40.0)
         .go(200.0, 60.0, 20.0, 10.0)
-        .tells(&["the suction cup is 3.."]);
+        .reports(&["the suction cup is 3.."]);
     WorldTest::new(CUBES)
         .go(200.0, 60.0, 60.0, 40.0)
         .go(200.0, 60.0, 25.0, 40.0)
         .pump(true)
         .go(200.0, 60.0, 45.0, 40.0)
         .go(240.0, -60.0, 45.0, 40.0)
-        .tells(&["picked up red", "red is 20.0 mm deep in blue at x .."]);
+        .reports(&["picked up red", "red is 20.0 mm deep in blue at x .."]);
 }
 
 #[test]
 fn an_end_of_the_tool_in_the_table_is_reported() {
     WorldTest::new("[suction-cup]")
         .go(200.0, 0.0, -4.0, 10.0)
-        .tells(&["the suction cup is 3.."]);
+        .reports(&["the suction cup is 3.."]);
 }
 
 /// 20 mm between the fingers at 45 degrees, 4/9 mm less for each degree more.
@@ -333,15 +333,15 @@ fn a_gripper_holds_what_is_narrower_than_its_opening_and_drops_it_when_it_opens(
         .go(200.0, 60.0, 60.0, 100.0)
         .go(200.0, 60.0, 5.0, 40.0)
         .gripper(40.0)
-        .tells(&[])
+        .reports(&[])
         .gripper(46.0)
-        .tells(&["picked up rod"])
+        .reports(&["picked up rod"])
         .gripper(80.0)
         .go(200.0, 60.0, 50.0, 40.0);
     near(lab.object("rod").bottom_mm, 45.0, 0.01);
     // The fingers cannot close farther than the rod is wide.
     near(lab.state().arm.unwrap().opening_mm, 20.0, 0.5);
-    let lab = lab.gripper(30.0).tells(&[
+    let lab = lab.gripper(30.0).reports(&[
         "picked up rod",
         "dropped rod: it fell 45.0 mm onto the table",
     ]);
@@ -370,12 +370,12 @@ fn fingers_that_close_above_or_beside_an_object_hold_nothing() {
     WorldTest::new(GRIPPER)
         .go(200.0, 60.0, 31.0, 100.0)
         .gripper(90.0)
-        .tells(&[]);
+        .reports(&[]);
     WorldTest::new(GRIPPER)
         .go(250.0, 60.0, 60.0, 100.0)
         .go(250.0, 60.0, 10.0, 100.0)
         .gripper(90.0)
-        .tells(&[]);
+        .reports(&[]);
 }
 
 /// In focus when the tip is 25 mm above the table.
@@ -393,7 +393,7 @@ fn the_dose_of_a_burn_is_power_by_speed() {
         .laser(true)
         .go(200.0, 90.0, 35.0, 10.0)
         .go(200.0, 20.0, 35.0, 10.0)
-        .tells(&[]);
+        .reports(&[]);
     let burns = lab.state().burns;
     assert_eq!(burns.len(), 1, "{burns:?}");
     near(burns[0].speed_mm_s, 10.0, 0.01);
@@ -408,9 +408,9 @@ fn a_standing_laser_burns_a_hole_and_is_reported_as_dangerous() {
         .go(200.0, 0.0, 25.0, 40.0)
         .laser(true)
         .wait_ms(480)
-        .tells(&[])
+        .reports(&[])
         .wait_ms(10_000)
-        .tells(&["danger: the laser burns in place at x 200.0 y 0.0, for 0.5 s"]);
+        .reports(&["danger: the laser burns in place at x 200.0 y 0.0, for 0.5 s"]);
     let holes = lab.state().holes;
     assert_eq!(holes.len(), 1, "{holes:?}");
     near(holes[0].time_s, 10.48, 1e-3);

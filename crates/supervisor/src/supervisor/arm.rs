@@ -96,9 +96,9 @@ impl Arm {
     }
 
     pub(super) fn calibrated_view(&self) -> Option<CalibratedView> {
-        let zeros_told = self.calibration() != self.calibration;
+        let angles_set = self.calibration() != self.calibration;
         self.is_calibrated()
-            .then_some(CalibratedView { zeros_told })
+            .then_some(CalibratedView { angles_set })
     }
 
     /// Returns why the pose may not be recorded as a touch of a calibration.

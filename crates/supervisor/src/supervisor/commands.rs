@@ -85,7 +85,7 @@ pub(super) fn translate(
         let field = "voice";
         return Err(Refusal::Send(SendError::Undecided { field }));
     };
-    if dialect.hears_voice && !arm.session().is_bluetooth() {
+    if dialect.accepts_voice && !arm.session().is_bluetooth() {
         // From the first byte of a text on, a running motion would stop and lose its position.
         return if arm.is_at_rest() && !arm.session().is_moving() {
             Ok(*command)

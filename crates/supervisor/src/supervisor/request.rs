@@ -271,7 +271,7 @@ impl Supervisor {
                 self.check_delivered("laser off")
             }
             Request::ConfirmPose => self.confirm_pose(client),
-            Request::TellAngles => self.set_angles(client),
+            Request::SetAngles => self.set_angles(client),
             Request::SetDialect { dialect } => {
                 self.detecting.forget_finding();
                 self.set_dialect(dialect)

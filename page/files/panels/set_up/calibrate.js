@@ -63,7 +63,7 @@ function whatIsKnown(context, { calibration }) {
       <p>${t("calibrate.known")}${calibration.name ? ` ${t("calibrate.name", { name: calibration.name })}` : ""}</p>
       ${numbers(context, numbersOf(calibration).filter(({ name }) => MAIN.has(name)))}
       ${touched ? html`<p class="quiet">${t("calibrate.agreed", { points: touched.points, typical: number(touched.typical_mm), largest: number(touched.largest_mm) })}</p>` : nothing}
-      ${page.station?.calibrated?.zeros_told ? html`<p class="quiet">${t("calibrate.angles_sent")}</p>` : nothing}
+      ${page.station?.calibrated?.angles_set ? html`<p class="quiet">${t("calibrate.angles_sent")}</p>` : nothing}
     </div>`;
 }
 
@@ -72,14 +72,14 @@ function choices({ page, t, act }) {
   const { known } = page.calibrate;
   const mayKeep = page.role === "admin";
   const begin = () => act.calibrate.begin().then(() => focusOn("calibrate-number"));
-  const mayTell = known?.calibration && page.station?.calibrated?.zeros_told === false;
+  const maySetAngles = known?.calibration && page.station?.calibrated?.angles_set === false;
   return html`
     <p class="quiet">${t(mayKeep ? "calibrate.hint" : "policy.admin")}</p>
     <div class="row">
       <button id="calibrate-begin" type="button" class="small strong" @click=${begin}>${t("calibrate.begin")}</button>
       <button id="calibrate-before" type="button" class="small" ?disabled=${!known?.before || !mayKeep} @click=${() => act.calibrate.bringBack()}>${t("calibrate.restore")}</button>
       <button id="calibrate-forget" type="button" class="small" ?disabled=${!known?.calibration || !mayKeep} @click=${() => act.question({ about: "clear_calibration" })}>${t("calibrate.clear")}</button>
-      ${mayTell ? html`<button id="calibrate-angles" type="button" class="small" ?disabled=${blockedReason(page) !== null} @click=${() => act.question({ about: "send_angles" })}>${t("calibrate.angles")}</button>` : nothing}
+      ${maySetAngles ? html`<button id="calibrate-angles" type="button" class="small" ?disabled=${blockedReason(page) !== null} @click=${() => act.question({ about: "send_angles" })}>${t("calibrate.angles")}</button>` : nothing}
     </div>`;
 }
 
@@ -145,7 +145,7 @@ function touching(context) {
     <p class="quiet">${t("calibrate.point.hint")}</p>
     <div class="row">
       <button id="calibrate-touch" type="button" class="small strong" ?disabled=${why !== null} aria-describedby="calibrate-why" @click=${() => act.calibrate.touch()}>${t("calibrate.touch")}</button>
-      <button id="calibrate-skip" type="button" class="small" @click=${() => act.send({ type: "calibrate_visited", told_deg: null })}>${t("calibrate.skip")}</button>
+      <button id="calibrate-skip" type="button" class="small" @click=${() => act.send({ type: "calibrate_visited", raw_deg: null })}>${t("calibrate.skip")}</button>
       <button id="calibrate-back" type="button" class="small" ?disabled=${visits.length === 0} @click=${() => act.send({ type: "calibrate_back" })}>${t("calibrate.undo")}</button>
       ${leave(context)}
     </div>

@@ -131,7 +131,7 @@ impl Toucher {
             return Err(why);
         }
         // The raw angles of an arm that is already calibrated.
-        let status = arm.and_then(|arm| arm.told.as_ref()).unwrap_or(status);
+        let status = arm.and_then(|arm| arm.raw.as_ref()).unwrap_or(status);
         Ok(Joints::new(
             status.base_deg.into(),
             status.rear_deg.into(),
@@ -289,7 +289,7 @@ mod tests {
 
     #[expect(clippy::cast_possible_truncation, reason = "as a status holds it")]
     fn state_of(arm: &Calibration, place: Position) -> State {
-        let raw = arm.told_joints(place, Tool::SuctionCup).unwrap();
+        let raw = arm.raw_joints(place, Tool::SuctionCup).unwrap();
         let mut state = State::sample();
         let status = &mut state.arm.as_mut().unwrap().status;
         status.base_deg = raw.base.0 as f32;
@@ -322,7 +322,7 @@ mod tests {
         let known = read_calibration(&text).unwrap();
         assert_eq!(known.touched.unwrap().points, 9);
         let place = Position::new(230.0, -50.0, -40.0);
-        let raw = known.arm().told_place(place, Tool::SuctionCup).unwrap();
+        let raw = known.arm().raw_place(place, Tool::SuctionCup).unwrap();
         let reached = ARM.true_place(raw, Tool::SuctionCup).unwrap();
         assert!(reached.distance(place).0 < 0.2, "{reached:?}");
     }

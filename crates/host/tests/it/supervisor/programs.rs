@@ -165,7 +165,7 @@ fn check_reports(what: &str, program: &Program, served: &Served) {
             "{what}: {packet:?}: {:#?}",
             served.troubles
         );
-        let reason = packet.refused.as_ref().or(packet.news.as_ref());
+        let reason = packet.refused.as_ref().or(packet.notice.as_ref());
         match reason {
             None => assert!(texts.is_empty(), "{what}: {packet:?}: {texts:?}"),
             Some(reason) => {

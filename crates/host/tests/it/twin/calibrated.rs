@@ -161,7 +161,7 @@ impl OldArm {
             let (_, [x, y]) = procedure.next_point();
             let [dx, dy, dz] = [0; 3].map(|_| (random.share() - 0.5) * 0.3);
             let place = Position::new(x + dx, y + dy, paper_z_mm(Point::new(x, y)) + dz);
-            let joints = TRUTH.told_joints(place, TOOL).unwrap();
+            let joints = TRUTH.raw_joints(place, TOOL).unwrap();
             // From the right and from above: each joint turns on to the point.
             let beside = Joints::new(
                 joints.base.0 - 3.0,

@@ -180,13 +180,13 @@ fn an_arm_with_its_true_angles_set_needs_no_zeros_until_it_is_reset() {
     for personality in Personality::ALL {
         let mut arm = Known::new(personality, "");
         arm.send(MoveTo::to(220.0, 30.0, 10.0)).unwrap();
-        let crooked = arm.ask(Request::TellAngles).unwrap_err();
+        let crooked = arm.ask(Request::SetAngles).unwrap_err();
         assert!(crooked.to_string().contains("straight ahead"), "{crooked}");
         arm.send(MoveJoints::to([0.0, 40.0, 45.0, 0.0])).unwrap();
-        arm.ask(Request::TellAngles).unwrap();
+        arm.ask(Request::SetAngles).unwrap();
         let state = arm.station.supervisor().state();
-        assert!(state.calibrated.unwrap().zeros_told);
-        let reported = state.arm.unwrap().told.unwrap();
+        assert!(state.calibrated.unwrap().angles_set);
+        let reported = state.arm.unwrap().raw.unwrap();
         assert!(
             (reported.rear_deg - 40.0).abs() < 0.02,
             "the arm itself reports {reported:?}"
@@ -211,7 +211,7 @@ fn a_job_made_before_the_angles_were_set_is_not_drawn_at_other_places() {
         program: JobProgram::default(),
     };
     let job = arm.station.submit(&job).unwrap();
-    arm.ask(Request::TellAngles).unwrap();
+    arm.ask(Request::SetAngles).unwrap();
     let refused = arm.ask(Request::StartJob { job }).unwrap_err();
     assert!(refused.to_string().contains("submit it again"), "{refused}");
 }
@@ -236,5 +236,5 @@ fn a_calibration_is_accepted_only_at_rest_and_can_be_undone() {
     arm.ask(Request::Calibrate { calibration: None }).unwrap();
     let state = arm.station.supervisor().state();
     assert_eq!(state.calibrated, None);
-    assert_eq!(state.arm.unwrap().told, None);
+    assert_eq!(state.arm.unwrap().raw, None);
 }

@@ -21,7 +21,7 @@ async fn burst(personality: Personality, mode: MovingMode, latency: Duration) {
     ));
     let late = Late::new(arm.clone(), latency, None);
     let mut connection = Connection::over_peer(late, Some(personality.dialect()));
-    connection.next_status().await.expect("it tells");
+    connection.next_status().await.expect("a status arrives");
     let targets = [
         jump(220.0, 210.0, 20.0, 3.0),
         jump(130.0, 230.0, 20.0, 2.0),
@@ -49,11 +49,14 @@ async fn burst(personality: Personality, mode: MovingMode, latency: Duration) {
             _ => {}
         }
     }
-    let told = connection.now();
-    let found = arm.arm().controller().pose_at(told).position;
+    let reported = connection.now();
+    let found = arm.arm().controller().pose_at(reported).position;
     let apart_mm = found.distance(dobot_arm::Position::new(265.0, 0.0, 25.0)).0;
     assert!(apart_mm < 0.05, "{personality} {mode:?}: {found:?}");
-    assert!(told > Duration::from_secs(13), "{told:?}: pauses of 13 s");
+    assert!(
+        reported > Duration::from_secs(13),
+        "{reported:?}: pauses of 13 s"
+    );
 }
 
 #[tokio::test]

@@ -10,8 +10,8 @@ async fn every_way_to_move_ends_at_its_target_and_the_status_says_so() {
         let events = run(&mut arm, &[move_to(mode, 220.0, -60.0, 30.0).into()]).await;
         assert_eq!(completed(&events), [0], "{mode:?}: {events:?}");
         let status = arm.session().status().expect("one came");
-        let told = Position::new(status.x_mm.into(), status.y_mm.into(), status.z_mm.into());
-        assert_at(told, 220.0, -60.0, 30.0, 1e-3);
+        let reported = Position::new(status.x_mm.into(), status.y_mm.into(), status.z_mm.into());
+        assert_at(reported, 220.0, -60.0, 30.0, 1e-3);
         assert_at(found(&peer), 220.0, -60.0, 30.0, 1e-6);
         assert_eq!(refusals(&peer), []);
     }

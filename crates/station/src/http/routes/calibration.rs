@@ -51,7 +51,7 @@ pub(super) fn all() -> Vec<Route> {
             "/api/v1/calibration/angles",
             "Sends a calibrated arm its true joint angles (state 9, mode 3), which corrects its zeros until its next \
                 reset. The arm must be at rest, with its base straight ahead",
-            |_: Maybe<Nothing>| Request::TellAngles,
+            |_: Maybe<Nothing>| Request::SetAngles,
         )
         .gives::<Reply>(200, "the command is accepted")
         .problems(MOVES),
@@ -115,10 +115,10 @@ pub(super) fn all() -> Vec<Route> {
 }
 
 const FIT_EXAMPLE: &str = r#"{"sheet": 417, "bar_mm": 189.5, "touches": [
-    {"place_mm": [215, 0], "told_deg": [0.0, 35.1, 47.2]},
-    {"place_mm": [155, 100], "told_deg": [32.8, 20.4, 51.0]},
-    {"place_mm": [275, 100], "told_deg": [20.0, 58.6, 40.3]},
-    {"place_mm": [275, -100], "told_deg": [-20.0, 58.6, 40.3]}
+    {"place_mm": [215, 0], "raw_deg": [0.0, 35.1, 47.2]},
+    {"place_mm": [155, 100], "raw_deg": [32.8, 20.4, 51.0]},
+    {"place_mm": [275, 100], "raw_deg": [20.0, 58.6, 40.3]},
+    {"place_mm": [275, -100], "raw_deg": [-20.0, 58.6, 40.3]}
 ]}"#;
 
 const PAPER_EXAMPLE: &str =
@@ -197,9 +197,10 @@ struct TouchedPoint {
     /// Its height above the paper, in mm.
     #[serde(default)]
     height_mm: f64,
-    /// The raw angles of base, rear arm and forearm, in degrees: `told` of the state of an arm that
+    /// The raw angles of base, rear arm and forearm, in degrees: `raw` of the state of an arm that
     /// is already calibrated.
-    told_deg: [f64; 3],
+    #[serde(alias = "told_deg")]
+    raw_deg: [f64; 3],
 }
 
 /// The result of fitting a calibration.
@@ -297,7 +298,7 @@ fn fitted(asked: &NewTouches) -> Result<(Vec<Touch>, Fit), RequestFailed> {
     let bad = |why: &dyn std::fmt::Display| BAD_TOUCHES.problem(why.to_string());
     check_bar(asked.sheet, asked.bar_mm).map_err(|why| bad(&why))?;
     let touches = asked.touches.iter().map(|touch| {
-        let [base_deg, rear_deg, fore_deg] = touch.told_deg;
+        let [base_deg, rear_deg, fore_deg] = touch.raw_deg;
         Touch {
             place_mm: touch.place_mm,
             height_mm: touch.height_mm,

@@ -22,12 +22,12 @@ const ARM: Calibration = Calibration {
 /// The reported angles of that arm at a point of paper that is 45 mm below.
 fn reported([x, y]: [f64; 2]) -> Joints {
     let there = Position::new(x, y, -45.0);
-    ARM.told_joints(there, Tool::SuctionCup).unwrap()
+    ARM.raw_joints(there, Tool::SuctionCup).unwrap()
 }
 
 fn touch(point: [f64; 2]) -> Value {
     let joints = reported(point);
-    json!({"place_mm": point, "told_deg": [joints.base.0, joints.rear.0, joints.fore.0]})
+    json!({"place_mm": point, "raw_deg": [joints.base.0, joints.rear.0, joints.fore.0]})
 }
 
 /// What the station is asked about touches of a sheet whose bar was measured.
@@ -82,7 +82,7 @@ async fn touches_without_information_are_refused_with_a_remedy() {
     let all = points(&harness).await;
     let three: Vec<Value> = all[..3].iter().copied().map(touch).collect();
     let mut wrong: Vec<Value> = all[..5].iter().copied().map(touch).collect();
-    wrong[2] = json!({"place_mm": all[2], "told_deg": [80.0, 10.0, 10.0]});
+    wrong[2] = json!({"place_mm": all[2], "raw_deg": [80.0, 10.0, 10.0]});
     let nine: Vec<Value> = all.iter().copied().map(touch).collect();
     let mut scaled = question(&nine);
     scaled["bar_mm"] = json!(0.97 * Sheet::chosen_by(17).bar_mm());
@@ -116,7 +116,7 @@ async fn the_sheet_is_a_printable_image_and_nothing_is_known_at_first() {
         .json("POST", "/api/v1/calibration/angles", "{}".to_owned())
         .await
         .is(200);
-    assert!(matches!(harness.asked().last(), Some(Request::TellAngles)));
+    assert!(matches!(harness.asked().last(), Some(Request::SetAngles)));
 }
 
 #[tokio::test]
@@ -178,8 +178,8 @@ async fn an_unusual_tool_is_trusted_after_a_person_has_measured_it() {
     };
     let touches = points(&harness).await.into_iter().map(|point| {
         let there = Position::new(point[0], point[1], -45.0);
-        let raw = long.told_joints(there, Tool::SuctionCup).unwrap();
-        json!({"place_mm": point, "told_deg": [raw.base.0, raw.rear.0, raw.fore.0]})
+        let raw = long.raw_joints(there, Tool::SuctionCup).unwrap();
+        json!({"place_mm": point, "raw_deg": [raw.base.0, raw.rear.0, raw.fore.0]})
     });
     let mut body = question(&touches.collect::<Vec<_>>());
     for (tool_measured, trust) in [(false, "unmeasured"), (true, "good")] {

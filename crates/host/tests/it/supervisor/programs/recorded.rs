@@ -61,8 +61,7 @@ pub(super) struct RecordedPacket {
     /// The packet sent to the arm instead.
     sent: Option<Vec<f32>>,
     /// The notice about it.
-    #[serde(rename = "told")]
-    pub(super) news: Option<String>,
+    pub(super) notice: Option<String>,
     /// The reason for which it is refused.
     pub(super) refused: Option<String>,
     /// It would make a stock arm hang or lose its pose.

@@ -8,7 +8,7 @@ use crate::latency::MAX_LATENCY;
 /// The reason not to move an arm that conforms to the protocol.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Hindrance {
+pub enum Blocker {
     /// The pump is reported on.
     Pump,
     /// There is too little room for the checks at its position, with the reason.
@@ -17,7 +17,7 @@ pub enum Hindrance {
     Slow(Duration),
 }
 
-impl fmt::Display for Hindrance {
+impl fmt::Display for Blocker {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Pump => f.write_str("the pump is on: it may hold an object"),
