@@ -92,6 +92,15 @@ pub enum SourceError {
         /// What is allowed there.
         expected: String,
     },
+    /// A source contains a mistake, and only sources without any are allowed
+    /// ([`ReadOptions::strict`](crate::ReadOptions::strict)).
+    #[error("{place}: {what}")]
+    Mistake {
+        /// The place of the first one.
+        place: Place,
+        /// What was found and what is allowed.
+        what: String,
+    },
     /// The source leaves no ink.
     #[error("nothing to draw: {reason}")]
     NothingToDraw {
@@ -149,6 +158,18 @@ impl SourceError {
             self,
             Self::TooManySegments { .. } | Self::Svg(SvgError::TooManySegments { .. })
         )
+    }
+
+    /// The place and the text of a mistake in a source, which spoils only a part of it.
+    pub(crate) fn mistake(&self) -> Option<(Place, String)> {
+        let message = self.to_string();
+        match self {
+            Self::Found { place, .. } | Self::TooFar { place, .. } => {
+                let text = message.strip_prefix(&format!("{place}: "));
+                Some((*place, text.unwrap_or(&message).to_owned()))
+            }
+            _ => None,
+        }
     }
 
     /// An error about the text at an offset.

@@ -46,7 +46,7 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
     let mut sketch = Sketch::new(text, options)?;
     let mut statistics = MoveStatistics::default();
     let mut moves = 0;
-    let (tool, laser) = run(text, sketch.warnings(), |motion| {
+    let program = run(text, sketch.warnings(), |motion| {
         moves += 1;
         if moves > MAX_MOVES {
             let found = format!("more than {MAX_MOVES} moves");
@@ -55,29 +55,48 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
         }
         statistics.count(motion);
         Ok(())
-    })?;
-    let switch = options.burns.then(|| statistics.laser_switch(laser));
-    let rule = statistics.rule(text, &tool, laser, options.burns);
-    if let Some((what, instead)) = rule.assumed() {
-        sketch.warn(None, what, &instead);
-    }
+    });
+    sketch.skip_mistake(program.read, REST)?;
+    let end = (program.tool, program.laser);
+    let switch = options.burns.then(|| statistics.laser_switch(end.1));
+    let rule = statistics.rule(text, end, options);
+    rule.report(sketch.warnings(), options.gcode);
     let mut inker = Inker::new(&mut sketch, rule, switch);
-    run(text, &mut Warnings::new(text), |motion| inker.draw(motion))?;
+    let read = &text[..program.length];
+    let drawn = run(read, &mut Warnings::new(text), |motion| inker.draw(motion));
     inker.finish()?;
+    sketch.skip_mistake(drawn.read, REST)?;
     Ok((sketch, rule))
 }
 
-/// Runs the program and passes all of its moves on; returns the tool and the laser at its end.
+/// A program that was run up to its end or its first mistake.
+struct Program {
+    /// The tool and the laser there.
+    tool: ToolState,
+    laser: LaserState,
+    /// The length of what was read, in bytes.
+    length: usize,
+    read: Result<(), SourceError>,
+}
+
+/// Runs the program and passes its moves on.
 fn run<'a>(
     text: &'a [u8],
     warnings: &mut Warnings<'a>,
     mut hand_on: impl FnMut(&Move) -> Result<(), SourceError>,
-) -> Result<(ToolState, LaserState), SourceError> {
+) -> Program {
     let mut machine = Machine::new(text, warnings);
-    block::each(text, |block| machine.handle(block, &mut hand_on))?;
-    Ok(machine.state())
+    let (length, read) = block::each(text, |block| machine.handle(block, &mut hand_on));
+    let (tool, laser) = machine.state();
+    Program {
+        tool,
+        laser,
+        length,
+        read,
+    }
 }
 
+const REST: &str = "the rest of the file is left out";
 /// The largest number of moves: lines of a drawing and travels; all are analysed before the first
 /// is drawn.
 const MAX_MOVES: usize = MAX_SEGMENTS / 2 * 3;

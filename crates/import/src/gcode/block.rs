@@ -126,20 +126,25 @@ impl Codes {
 }
 
 /// Passes on the lines with words one by one, in one reused block: a file has millions of them.
+/// Returns the length of the lines before the first error, and the error.
 pub(super) fn each(
     text: &[u8],
     mut hand_on: impl FnMut(&Block) -> Result<(), SourceError>,
-) -> Result<(), SourceError> {
+) -> (usize, Result<(), SourceError>) {
     let at = beginning(text);
     let mut lines = BlockLexer { text, at };
     let mut block = Block::default();
     while lines.at < text.len() {
-        lines.line(&mut block)?;
-        if !block.is_empty() || block.is_setting || block.is_real_time {
-            hand_on(&block)?;
+        let begin = lines.at;
+        let mut read = lines.line(&mut block);
+        if read.is_ok() && (!block.is_empty() || block.is_setting || block.is_real_time) {
+            read = hand_on(&block);
+        }
+        if read.is_err() {
+            return (begin, read);
         }
     }
-    Ok(())
+    (text.len(), Ok(()))
 }
 
 struct BlockLexer<'a> {

@@ -53,6 +53,10 @@ impl<'s, 'a> Inker<'s, 'a> {
         self.has_moved |= !is_still;
         // A waiting tool may continue from here: only a dot would be burned.
         let inks = self.inks(motion) && (is_still || !self.stays_dark(motion));
+        if !inks && motion.is_line() && motion.has_power_word && motion.laser.is_switched_off() {
+            let instead = "left out, because M5 or M107 is active there; put M3 or M4 before it";
+            self.sketch.warn(motion.at, "powered line", instead);
+        }
         match (inks, is_still) {
             (true, true) => {
                 self.stand(motion);

@@ -25,6 +25,8 @@ pub(super) struct Move {
     pub(super) laser: LaserState,
     /// Whether M3 switched the tool on.
     pub(super) is_by_m3: bool,
+    /// Whether its line has an S.
+    pub(super) has_power_word: bool,
 }
 
 impl Move {
@@ -407,6 +409,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             tool: self.tool,
             laser: self.laser,
             is_by_m3: self.is_by_m3,
+            has_power_word: block.value(b'S').is_some(),
         }
     }
 

@@ -1,5 +1,6 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod choice;
 mod heights;
 mod laser;
 mod servo;
@@ -12,6 +13,8 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::artwork::Layer;
+use crate::source::refuse_mistakes;
+use crate::warning::WarningKind;
 
 /// The lines that a laser burns.
 fn draw(text: &str) -> (Artwork, Vec<String>) {
@@ -26,10 +29,23 @@ fn draw_by_pen(text: &str) -> (Artwork, Vec<String>) {
     draw_with(text, &options)
 }
 
+/// The drawing and its warnings, without notes and without the way to choose another rule.
 fn draw_with(text: &str, options: &ReadOptions) -> (Artwork, Vec<String>) {
     let (artwork, warnings) = super::read(text.as_bytes(), options).unwrap();
-    (artwork, warnings.iter().map(Warning::to_string).collect())
+    let warnings = warnings
+        .iter()
+        .filter(|warning| warning.kind != WarningKind::Note);
+    let plain = |warning: &Warning| warning.to_string().replace(CHOICE, "");
+    (artwork, warnings.map(plain).collect())
 }
+
+/// How the file is read.
+fn decision(text: &str, options: &ReadOptions) -> String {
+    let (_, warnings) = super::read(text.as_bytes(), options).unwrap();
+    warnings.last().unwrap().to_string()
+}
+
+const CHOICE: &str = "; what.gcode chooses laser, pen or mill instead";
 
 fn layers(text: &str) -> Vec<Layer> {
     draw(text).0.layers
@@ -57,9 +73,11 @@ fn corners_of(artwork: &Artwork) -> Vec<Vec<(f64, f64)>> {
     strokes.map(corners).collect()
 }
 
+/// The error of a file in which no mistake is allowed.
 fn error(text: &str) -> String {
     let read = super::read(text.as_bytes(), &ReadOptions::default());
-    read.unwrap_err().to_string()
+    let refused = read.and_then(|(_, warnings)| refuse_mistakes(&warnings));
+    refused.unwrap_err().to_string().replace(CHOICE, "")
 }
 
 /// The largest deviation of a layer's lines from the circle of this radius about the middle of a

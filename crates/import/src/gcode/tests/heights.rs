@@ -31,7 +31,8 @@ fn a_tool_that_is_off_during_travel_is_a_laser_even_if_its_z_moves_and_this_is_r
         corners(switched),
         [[(0.0, 0.0), (4.0, 0.0)], [(6.0, 0.0), (9.0, 0.0)]]
     );
-    let message = "1 laser at several heights: everything with the laser on (M3, M4 or M106) is burned, at any Z";
+    let message =
+        "1 laser at several heights: everything with the laser on (M3, M4 or M106) draws, at any Z";
     assert_eq!(draw(switched).1, [message]);
     let passes =
         "M4 S9\nG0 X0 Z0\nG1 X4\nG0 X0\nG1 Z-1\nG1 X4\nG0 X6 Z0\nG1 X9\nG0 X6\nG1 Z-1\nG1 X9";
