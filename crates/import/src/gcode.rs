@@ -12,6 +12,7 @@ mod ink;
 mod ink_rule;
 mod laser;
 mod machine;
+mod ramp;
 mod servo;
 mod spindle;
 mod switch;

@@ -3,6 +3,7 @@
 use super::ink_rule::InkRule;
 use super::laser::LaserSwitch;
 use super::machine::{Move, MoveKind, ToolState};
+use super::ramp;
 use super::servo::ServoCode;
 use crate::arc::Arc;
 use crate::artwork::Layer;
@@ -43,7 +44,21 @@ impl<'s, 'a> Inker<'s, 'a> {
         }
     }
 
+    /// Draws a move; a ramp through the height of the paper only where the pen is down.
     pub(super) fn draw(&mut self, motion: &Move) -> Result<(), SourceError> {
+        let paper_mm = match self.rule {
+            InkRule::Height { below_mm, .. } => below_mm,
+            InkRule::HighPen { above_mm } => above_mm,
+            _ => return self.draw_part(motion),
+        };
+        let parts = ramp::parts(motion, paper_mm);
+        parts
+            .iter()
+            .flatten()
+            .try_for_each(|part| self.draw_part(part))
+    }
+
+    fn draw_part(&mut self, motion: &Move) -> Result<(), SourceError> {
         if motion.kind == MoveKind::Drill && !matches!(self.rule, InkRule::Height { .. }) {
             let instead = "left out, because Z does not lift the pen";
             self.sketch.warn(motion.at, "drilled hole", instead);

@@ -19,7 +19,8 @@ pub(super) struct Move {
     pub(super) kind: MoveKind,
     pub(super) from: Point,
     pub(super) to: Point,
-    /// The height at its end, if known.
+    /// The heights at its start and its end, if known.
+    pub(super) from_z_mm: Option<f64>,
     pub(super) z_mm: Option<f64>,
     pub(super) tool: ToolState,
     pub(super) laser: LaserState,
@@ -355,7 +356,7 @@ impl<'a, 'w> Machine<'a, 'w> {
 
     fn motion(&mut self, block: &Block) -> Result<Option<Move>, SourceError> {
         if block.g.has(40) {
-            return Ok(Some(self.moved(block, MoveKind::Dwell, self.at)));
+            return Ok(Some(self.moved(block, MoveKind::Dwell, self.at, self.z_mm)));
         }
         if block.g.first(&[920, 921, 922]).is_some() {
             return self.set_origin(block).map(|()| None);
@@ -380,7 +381,6 @@ impl<'a, 'w> Machine<'a, 'w> {
             _ if is_upright => self.upright_arc(block, to, z_mm.unwrap_or(0.0))?,
             _ => self.arc(block, to)?,
         };
-        self.z_mm = z_mm;
         if self.motion < 20 && block.has_any(b"IJR") {
             let places = b"IJR".iter().filter(|c| block.value(**c).is_some());
             let at = places
@@ -394,18 +394,19 @@ impl<'a, 'w> Machine<'a, 'w> {
             );
             return Err(self.found(at, found, expected));
         }
-        Ok(Some(self.moved(block, kind, to)))
+        Ok(Some(self.moved(block, kind, to, z_mm)))
     }
 
-    fn moved(&mut self, block: &Block, kind: MoveKind, to: Point) -> Move {
-        let from = self.at;
-        self.at = to;
+    fn moved(&mut self, block: &Block, kind: MoveKind, to: Point, z_mm: Option<f64>) -> Move {
+        let from = std::mem::replace(&mut self.at, to);
+        let from_z_mm = std::mem::replace(&mut self.z_mm, z_mm);
         Move {
             at: block.at,
             kind,
             from,
             to,
-            z_mm: self.z_mm,
+            from_z_mm,
+            z_mm,
             tool: self.tool,
             laser: self.laser,
             is_by_m3: self.is_by_m3,
@@ -544,8 +545,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             (MoveKind::Drill, bottom_mm),
             (MoveKind::Rapid, up_mm),
         ] {
-            self.z_mm = Some(z_mm);
-            hand_on(&self.moved(block, kind, to))?;
+            hand_on(&self.moved(block, kind, to, Some(z_mm)))?;
         }
         Ok(())
     }
@@ -580,10 +580,8 @@ impl<'a, 'w> Machine<'a, 'w> {
         let homes = |letter| is_all || block.value(letter).is_some();
         let axis = |letter, here| if homes(letter) { 0.0 } else { here };
         let to = Point::new(axis(b'X', self.at.x), axis(b'Y', self.at.y));
-        if homes(b'Z') {
-            self.z_mm = None;
-        }
-        self.moved(block, MoveKind::Rapid, to)
+        let z_mm = self.z_mm.filter(|_| !homes(b'Z'));
+        self.moved(block, MoveKind::Rapid, to, z_mm)
     }
 
     /// G53: a move in machine coordinates, which the file does not define.
@@ -596,8 +594,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         };
         let to = Point::new(value(b'X', self.at.x), value(b'Y', self.at.y));
         let to = checked(self.text, block.at, to)?;
-        self.z_mm = None;
-        Ok(self.moved(block, MoveKind::Rapid, to))
+        Ok(self.moved(block, MoveKind::Rapid, to, None))
     }
 }
 

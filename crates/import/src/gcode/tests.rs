@@ -60,14 +60,14 @@ fn corners_by_pen(text: &str) -> Vec<Vec<(f64, f64)>> {
     corners_of(&draw_by_pen(text).0)
 }
 
+fn rounded(mm: f64) -> f64 {
+    (mm * 1e6).round() / 1e6 + 0.0
+}
+
 fn corners_of(artwork: &Artwork) -> Vec<Vec<(f64, f64)>> {
-    let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
     let corners = |stroke: &Stroke| {
-        stroke
-            .points
-            .iter()
-            .map(|p| (round(p.x), round(p.y)))
-            .collect()
+        let points = stroke.points.iter();
+        points.map(|p| (rounded(p.x), rounded(p.y))).collect()
     };
     let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
     strokes.map(corners).collect()
