@@ -15,6 +15,7 @@ mod machine;
 mod ramp;
 mod servo;
 mod spindle;
+mod subroutine;
 mod switch;
 mod zero;
 
@@ -47,7 +48,7 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
     let mut sketch = Sketch::new(text, options)?;
     let mut statistics = MoveStatistics::default();
     let mut moves = 0;
-    let program = run(text, sketch.warnings(), |motion| {
+    let program = run(text, usize::MAX, sketch.warnings(), |motion| {
         moves += 1;
         if moves > MAX_MOVES {
             let found = format!("more than {MAX_MOVES} moves");
@@ -63,8 +64,8 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
     let rule = statistics.rule(text, end, options);
     rule.report(sketch.warnings(), options.gcode);
     let mut inker = Inker::new(&mut sketch, rule, switch);
-    let read = &text[..program.length];
-    let drawn = run(read, &mut Warnings::new(text), |motion| inker.draw(motion));
+    let warnings = &mut Warnings::new(text);
+    let drawn = run(text, program.lines, warnings, |motion| inker.draw(motion));
     inker.finish()?;
     sketch.skip_mistake(drawn.read, REST)?;
     Ok((sketch, rule))
@@ -75,24 +76,25 @@ struct Program {
     /// The tool and the laser there.
     tool: ToolState,
     laser: LaserState,
-    /// The length of what was read, in bytes.
-    length: usize,
+    /// The number of lines before the mistake, those of subroutines at each call.
+    lines: usize,
     read: Result<(), SourceError>,
 }
 
-/// Runs the program and passes its moves on.
+/// Runs at most `most` lines of the program and passes its moves on.
 fn run<'a>(
     text: &'a [u8],
+    most: usize,
     warnings: &mut Warnings<'a>,
     mut hand_on: impl FnMut(&Move) -> Result<(), SourceError>,
 ) -> Program {
     let mut machine = Machine::new(text, warnings);
-    let (length, read) = block::each(text, |block| machine.handle(block, &mut hand_on));
+    let (lines, read) = block::each(text, most, |block| machine.handle(block, &mut hand_on));
     let (tool, laser) = machine.state();
     Program {
         tool,
         laser,
-        length,
+        lines,
         read,
     }
 }

@@ -1,5 +1,6 @@
 //! Blocks of G-code: the words of a line.
 
+use super::subroutine::{self, Subroutines};
 use crate::error::SourceError;
 use crate::number::{decimal, real};
 use crate::place::beginning;
@@ -7,6 +8,8 @@ use crate::place::beginning;
 /// A block: its G and M codes in order, and the values of its other letters.
 #[derive(Debug, Default)]
 pub(super) struct Block {
+    /// The position of its line.
+    pub(super) begin: usize,
     /// The position of its first word.
     pub(super) at: usize,
     /// Codes in tenths with their positions: `G90.1` is 901.
@@ -18,6 +21,8 @@ pub(super) struct Block {
     pub(super) is_real_time: bool,
     /// Whether it starts with `/`.
     pub(super) is_optional: bool,
+    /// Whether it is an `o` line of a subroutine.
+    pub(super) is_subroutine: bool,
     /// The values; valid for letters in the bit set.
     values: [f64; 26],
     places: [u32; 26],
@@ -28,10 +33,11 @@ pub(super) struct Block {
 impl Block {
     /// Clears the block and sets its position.
     fn begin(&mut self, at: usize) {
-        self.at = at;
+        (self.begin, self.at) = (at, at);
         self.g.0.clear();
         self.m.0.clear();
-        (self.is_setting, self.is_real_time, self.is_optional) = (false, false, false);
+        (self.is_setting, self.is_real_time) = (false, false);
+        (self.is_optional, self.is_subroutine) = (false, false);
         self.letters = 0;
     }
 
@@ -125,26 +131,33 @@ impl Codes {
     }
 }
 
-/// Passes on the lines with words one by one, in one reused block: a file has millions of them.
-/// Returns the length of the lines before the first error, and the error.
+/// Passes on at most `most` lines with words one by one, in one reused block: a file has millions
+/// of them. Subroutines are passed on where they are called. Returns the number of lines before
+/// the first error, and the error.
 pub(super) fn each(
     text: &[u8],
+    most: usize,
     mut hand_on: impl FnMut(&Block) -> Result<(), SourceError>,
 ) -> (usize, Result<(), SourceError>) {
     let at = beginning(text);
     let mut lines = BlockLexer { text, at };
     let mut block = Block::default();
-    while lines.at < text.len() {
-        let begin = lines.at;
-        let mut read = lines.line(&mut block);
-        if read.is_ok() && (!block.is_empty() || block.is_setting || block.is_real_time) {
-            read = hand_on(&block);
-        }
+    let mut subroutines = Subroutines::new(text);
+    let mut count = 0;
+    while lines.at < text.len() && count < most {
+        let read = lines.line(&mut block).and_then(|()| {
+            lines.at = subroutines.next(lines.at, &block)?;
+            if block.is_empty() && !block.is_setting && !block.is_real_time {
+                return Ok(());
+            }
+            hand_on(&block)
+        });
         if read.is_err() {
-            return (begin, read);
+            return (count, read);
         }
+        count += 1;
     }
-    (text.len(), Ok(()))
+    (count, Ok(()))
 }
 
 struct BlockLexer<'a> {
@@ -179,7 +192,7 @@ impl BlockLexer<'_> {
                     self.at += 1;
                 }
                 b'*' => self.checksum(begin)?,
-                b'O' | b'o' | b':' if block.is_empty() => self.program_number()?,
+                b'O' | b'o' | b':' if block.is_empty() => self.program_number(block)?,
                 _ => self.word(block)?,
             }
         }
@@ -209,21 +222,22 @@ impl BlockLexer<'_> {
 
     /// Whether only a comment follows this character.
     fn is_last_word(&self) -> bool {
-        let mut rest = self.text[self.at + 1..].iter();
-        let next = rest.find(|rest| !b" \t".contains(rest));
-        next.is_none_or(|next| b"\r\n(;".contains(next))
+        ends_line(&self.text[self.at + 1..])
     }
 
-    /// Skips `O1234` or `:1234` with at most a comment: the name of the program. With another word
-    /// it is a subroutine.
-    fn program_number(&mut self) -> Result<(), SourceError> {
+    /// Skips `O1234` or `:1234` with at most a comment, the name of the program, or the words of a
+    /// subroutine.
+    fn program_number(&mut self, block: &mut Block) -> Result<(), SourceError> {
         let at = self.at;
+        if let Some(line) = subroutine::words(&self.text[at..]) {
+            (block.at, block.is_subroutine) = (at, true);
+            self.at += line.length;
+            return Ok(());
+        }
         let is_digit = |byte: &u8| byte.is_ascii_digit();
         let digits = self.text[at + 1..].iter().take_while(|byte| is_digit(byte));
         let end = at + 1 + digits.count();
-        let rest = &self.text[end..];
-        let next = rest.iter().find(|byte| !b" \t".contains(byte));
-        if end == at + 1 || !next.is_none_or(|after| b"\r\n(;".contains(after)) {
+        if end == at + 1 || !ends_line(&self.text[end..]) {
             return Err(self.found(at, WORD));
         }
         self.at = end;
@@ -291,6 +305,12 @@ impl BlockLexer<'_> {
     }
 }
 
+/// Whether only a comment precedes the end of the line.
+pub(super) fn ends_line(rest: &[u8]) -> bool {
+    let next = rest.iter().find(|byte| !b" \t".contains(byte));
+    next.is_none_or(|next| b"\r\n(;".contains(next))
+}
+
 /// Whether a number continues with an exponent, as in `X1e-05`. `X1E5` has a word E after X: that
 /// of an extruder.
 fn has_exponent(word: &[u8], after: &[u8]) -> bool {
@@ -323,4 +343,4 @@ fn comment_end(line: &[u8]) -> Option<usize> {
 }
 
 const NUMBER: &str = "a number from -1e9 to 1e9";
-const WORD: &str = "a word such as G1 or X-2.5 (variables, formulas and subroutines are not supported; expand them in the program that made the file)";
+const WORD: &str = "a word such as G1 or X-2.5 (variables, formulas, loops and conditions are not supported; expand them in the program that made the file)";

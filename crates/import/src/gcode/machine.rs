@@ -1,5 +1,7 @@
 //! The machine state that G-code modifies.
 
+use std::f64::consts::TAU;
+
 use dobot_geometry::{Point, Vec2};
 
 use super::arc::{center_by_radius, far_sides, sweep_rad};
@@ -471,11 +473,27 @@ impl<'a, 'w> Machine<'a, 'w> {
         let center = self.center(block, ends, origin, clockwise)?;
         let found = |found| self.found(block.at, found, "ends that fit the arc");
         let sweep_rad = sweep_rad(center, ends[0], ends[1], clockwise).map_err(found)?;
-        if let Some(turns) = block.value(b'P').filter(|&value| value != 1.0) {
-            let turns = format!("an arc of {turns} turns (P)");
-            return Err(self.found(block.place(b'P'), turns, "at most one turn"));
+        Ok((
+            center,
+            sweep_rad + self.further_turns_rad(block, clockwise)?,
+        ))
+    }
+
+    /// P: the number of turns that an arc begins.
+    fn further_turns_rad(&self, block: &Block, clockwise: bool) -> Result<f64, SourceError> {
+        let turns = block.value(b'P').unwrap_or(1.0);
+        let most = if self.plane == Plane::Xy {
+            MAX_TURNS
+        } else {
+            1.0
+        };
+        if turns.fract() != 0.0 || !(1.0..=most).contains(&turns) {
+            let found = format!("an arc of {turns} turns (P)");
+            let expected = format!("a whole number from 1 to {most}");
+            return Err(self.found(block.place(b'P'), found, &expected));
         }
-        Ok((center, sweep_rad))
+        let direction = if clockwise { -1.0 } else { 1.0 };
+        Ok(direction * TAU * (turns - 1.0))
     }
 
     fn center(
@@ -640,6 +658,8 @@ fn servo_angle(block: &Block) -> Option<f64> {
     s.filter(|_| block.m.has(3000) && block.value(b'P').is_none())
 }
 
+/// The largest number of turns of an arc.
+const MAX_TURNS: f64 = 1000.0;
 /// The S of M300 that relaxes a servo.
 const SERVO_OFF: f64 = 255.0;
 /// Letters of rotary axes, of secondary axes, and of the extruder.

@@ -4,6 +4,7 @@ mod choice;
 mod heights;
 mod laser;
 mod servo;
+mod subroutines;
 
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write as _;
@@ -442,6 +443,22 @@ fn circles_stay_within_the_tolerance_in_any_notation() {
 }
 
 #[test]
+fn arcs_of_several_turns_are_drawn_as_often() {
+    // A quarter and one more turn; two whole turns.
+    for (text, turns) in [
+        ("G0 X10\nG3 X0 Y10 I-10 P2", 1.25),
+        ("G0 X10\nG2 I-10 P2", 2.0),
+    ] {
+        let length = layers(text)[0].strokes[0].length_mm();
+        let expected = turns * 10.0 * TAU;
+        assert!(
+            (length - expected).abs() < 0.1,
+            "{text}: {length}, expected {expected}"
+        );
+    }
+}
+
+#[test]
 fn arcs_turn_in_the_given_direction() {
     // A quarter from the right to the top: short counterclockwise, three quarters clockwise.
     let length = |text: &str| layers(text)[0].strokes[0].length_mm();
@@ -521,7 +538,7 @@ fn programs_have_numbers_and_an_end_and_lasers_may_be_switched_in_moves() {
 #[test]
 #[expect(clippy::too_many_lines, reason = "a table")]
 fn codes_that_would_draw_something_else_are_refused_with_their_place() {
-    let word = "expected a word such as G1 or X-2.5 (variables, formulas and subroutines are not supported; expand them in the program that made the file)";
+    let word = "expected a word such as G1 or X-2.5 (variables, formulas, loops and conditions are not supported; expand them in the program that made the file)";
     for (text, expected) in [
         (
             "",
@@ -534,7 +551,7 @@ fn codes_that_would_draw_something_else_are_refused_with_their_place() {
         ("G1 X1\nG1 Xabc", &format!("2:4: found \"Xabc\"; {word}")),
         ("G1 X1,5", &format!("1:6: found \",5\"; {word}")),
         ("#1=5", &format!("1:1: found \"#1=5\"; {word}")),
-        ("o100 sub", &format!("1:1: found \"o100 sub\"; {word}")),
+        ("o100 if", &format!("1:1: found \"o100 if\"; {word}")),
         ("G1 X[1+2]", &format!("1:4: found \"X[1+2]\"; {word}")),
         ("G1 XNaN", &format!("1:4: found \"XNaN\"; {word}")),
         (
@@ -615,8 +632,8 @@ fn codes_that_would_draw_something_else_are_refused_with_their_place() {
             "1:7: found an arc given by its radius that ends at its start; expected a radius of at least half their distance",
         ),
         (
-            "G2 I5 P2",
-            "1:7: found an arc of 2 turns (P); expected at most one turn",
+            "G2 I5 P2.5",
+            "1:7: found an arc of 2.5 turns (P); expected a whole number from 1 to 1000",
         ),
         (
             "N1 G1 X1*5",
