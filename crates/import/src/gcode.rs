@@ -27,7 +27,7 @@ use crate::artwork::Artwork;
 use crate::error::SourceError;
 use crate::limits::MAX_SEGMENTS;
 use crate::options::ReadOptions;
-use crate::sketch::{Sketch, Y};
+use crate::sketch::{REST_LEFT_OUT, Sketch, Y};
 use crate::warning::Warning;
 use crate::warning::Warnings;
 
@@ -58,7 +58,7 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
         statistics.count(motion);
         Ok(())
     });
-    sketch.skip_mistake(program.read, REST)?;
+    sketch.skip_mistake(program.read, REST_LEFT_OUT)?;
     let end = (program.tool, program.laser);
     let switch = options.burns.then(|| statistics.laser_switch(end.1));
     let rule = statistics.rule(text, end, options);
@@ -67,7 +67,7 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
     let warnings = &mut Warnings::new(text);
     let drawn = run(text, program.lines, warnings, |motion| inker.draw(motion));
     inker.finish()?;
-    sketch.skip_mistake(drawn.read, REST)?;
+    sketch.skip_mistake(drawn.read, REST_LEFT_OUT)?;
     Ok((sketch, rule))
 }
 
@@ -99,7 +99,6 @@ fn run<'a>(
     }
 }
 
-const REST: &str = "the rest of the file is left out";
 /// The largest number of moves: lines of a drawing and travels; all are analysed before the first
 /// is drawn.
 const MAX_MOVES: usize = MAX_SEGMENTS / 2 * 3;

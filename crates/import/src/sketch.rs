@@ -574,5 +574,7 @@ fn close(stroke: &mut Stroke) {
     }
 }
 
+/// What the drawing lacks if a mistake ends it.
+pub(super) const REST_LEFT_OUT: &str = "the rest of the file is left out";
 /// The largest number of layers: pens, or speeds and powers.
 const MAX_LAYERS: usize = 1000;
