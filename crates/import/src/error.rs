@@ -92,6 +92,16 @@ pub enum SourceError {
         /// What is allowed there.
         expected: String,
     },
+    /// A source exceeds a limit that protects memory and time.
+    #[error("{place}: found {found}; expected {expected}")]
+    Limit {
+        /// The place.
+        place: Place,
+        /// What exceeds it.
+        found: String,
+        /// What is allowed.
+        expected: String,
+    },
     /// A source contains a mistake, and only sources without any are allowed
     /// ([`ReadOptions::strict`](crate::ReadOptions::strict)).
     #[error("{place}: {what}")]
@@ -180,6 +190,20 @@ impl SourceError {
         expected: impl Into<String>,
     ) -> Self {
         Self::Found {
+            place: place(text, at),
+            found: found.into(),
+            expected: expected.into(),
+        }
+    }
+
+    /// An error about a limit exceeded at an offset.
+    pub(crate) fn limit(
+        text: &[u8],
+        at: usize,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> Self {
+        Self::Limit {
             place: place(text, at),
             found: found.into(),
             expected: expected.into(),

@@ -53,7 +53,7 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
         if moves > MAX_MOVES {
             let found = format!("more than {MAX_MOVES} moves");
             let expected = "at most that in a drawing; simplify it, or draw it in parts";
-            return Err(SourceError::found(text, motion.at, found, expected));
+            return Err(SourceError::limit(text, motion.at, found, expected));
         }
         statistics.count(motion);
         Ok(())

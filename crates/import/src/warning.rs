@@ -79,8 +79,8 @@ pub(crate) struct Warnings<'a> {
     text: &'a [u8],
     list: Vec<Warning>,
     numbers: HashMap<String, usize>,
-    /// The first mistake.
-    mistake: Option<SourceError>,
+    first_mistake: Option<SourceError>,
+    mistakes: usize,
 }
 
 impl<'a> Warnings<'a> {
@@ -89,7 +89,8 @@ impl<'a> Warnings<'a> {
             text,
             list: Vec::new(),
             numbers: HashMap::new(),
-            mistake: None,
+            first_mistake: None,
+            mistakes: 0,
         }
     }
 
@@ -114,20 +115,25 @@ impl<'a> Warnings<'a> {
     }
 
     /// Reports a mistake in the source, for which the drawing lacks what `instead` states. Returns
-    /// other errors.
+    /// other errors, and a mistake after too many of them.
     pub(crate) fn add_mistake(
         &mut self,
         error: SourceError,
         instead: &str,
     ) -> Result<(), SourceError> {
-        let Some((place, what)) = error.mistake() else {
+        let Some((place, mut what)) = error.mistake().filter(|_| self.mistakes < MAX_MISTAKES)
+        else {
             return Err(error);
         };
+        self.mistakes += 1;
+        self.first_mistake.get_or_insert(error);
+        if !self.numbers.contains_key(&what) && self.mistakes > MAX_SHOWN_MISTAKES {
+            FURTHER.clone_into(&mut what);
+        }
         if let Some(&number) = self.numbers.get(&what) {
             self.list[number].count += 1;
             return Ok(());
         }
-        self.mistake.get_or_insert(error);
         self.push(Warning {
             kind: WarningKind::Mistake,
             place: Some(place),
@@ -143,10 +149,16 @@ impl<'a> Warnings<'a> {
 
     /// The first mistake, as an error.
     pub(crate) const fn take_mistake(&mut self) -> Option<SourceError> {
-        self.mistake.take()
+        self.first_mistake.take()
     }
 
     pub(crate) fn into_list(self) -> Vec<Warning> {
         self.list
     }
 }
+
+/// A source with more mistakes is refused.
+pub(crate) const MAX_MISTAKES: usize = 1000;
+/// After this many, new ones are only counted.
+const MAX_SHOWN_MISTAKES: usize = 20;
+const FURTHER: &str = "further mistakes";
