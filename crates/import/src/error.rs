@@ -174,7 +174,9 @@ impl SourceError {
     pub(crate) fn mistake(&self) -> Option<(Place, String)> {
         let message = self.to_string();
         match self {
-            Self::Found { place, .. } | Self::TooFar { place, .. } => {
+            Self::Found { place, .. }
+            | Self::TooFar { place, .. }
+            | Self::Svg(SvgError::Malformed { place, .. } | SvgError::EndsTooSoon { place, .. }) => {
                 let text = message.strip_prefix(&format!("{place}: "));
                 Some((*place, text.unwrap_or(&message).to_owned()))
             }
