@@ -22,6 +22,7 @@ mod renderer;
 mod shapes;
 mod spline;
 mod text;
+mod wide;
 mod xclip;
 
 use dobot_geometry::{Affine, Vec2};

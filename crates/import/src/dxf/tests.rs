@@ -8,6 +8,7 @@ mod mistakes;
 mod multilines;
 mod patterns;
 mod text;
+mod wide;
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
