@@ -99,13 +99,21 @@ fn draw(
     sketch.finish(Y::Up, "no lines in the file")
 }
 
-/// Pairs of lines at the start: a section or a comment.
+/// A first section, or the mark of a binary file.
+pub(crate) fn is_certain(start: &str) -> bool {
+    let is_binary = start.starts_with("AutoCAD Binary DXF") || start.starts_with("AC10");
+    is_binary || first_lines(start) == [Some("0"), Some("SECTION")]
+}
+
+/// A comment at the start.
 pub(crate) fn is_likely(start: &str) -> bool {
+    first_lines(start)[0] == Some("999")
+}
+
+fn first_lines(start: &str) -> [Option<&str>; 2] {
     let lines = start.split(['\r', '\n']).map(str::trim);
     let mut lines = lines.filter(|line| !line.is_empty());
-    let first = (lines.next(), lines.next());
-    let is_binary = start.starts_with("AutoCAD Binary DXF") || start.starts_with("AC10");
-    is_binary || first == (Some("0"), Some("SECTION")) || first.0 == Some("999")
+    [lines.next(), lines.next()]
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use super::pairs::Pair;
 use super::plane::{Plane, from_above};
 use super::renderer::EntityRenderer;
 use super::spline::Spline;
-use crate::arc::Arc;
+use crate::arc::{Arc, SAME_MM};
 use crate::error::SourceError;
 use crate::frame::way;
 use crate::limits::MAX_SEGMENTS;
@@ -198,6 +198,15 @@ impl EntityRenderer<'_, '_> {
             &placed,
             &entity.numbers(41)?,
         )?;
+        let is_open = points
+            .first()
+            .zip(points.last())
+            .is_some_and(|(a, b)| a.distance(*b) > SAME_MM);
+        if is_open && entity.flags(70)? & CLOSED_SPLINE != 0 {
+            let instead =
+                "drawn open, as its control points are, although it is flagged as closed (70)";
+            self.sketch.warn(entity.at, "unclosed spline", instead);
+        }
         self.sketch.stroke(points)
     }
 

@@ -146,3 +146,23 @@ fn a_file_without_a_unit_that_states_inches_is_reported() {
         "{warnings:?}"
     );
 }
+
+#[test]
+fn a_spline_flagged_as_closed_that_is_open_is_reported_with_its_count() {
+    let spline = |flags: u32, end: &str| {
+        format!(
+            "0 SPLINE 70 {flags} 71 2 40 0 40 0 40 0 40 0.5 40 1 40 1 40 1 10 0 20 0 10 40 20 0 10 40 20 40 {end} "
+        )
+    };
+    let open = "10 0 20 40";
+    let (artwork, warnings) = draw(&(spline(1, open) + &spline(1, open)));
+    assert!(!artwork.layers[0].strokes[0].closed);
+    let [warning] = &warnings[..] else {
+        panic!("{warnings:?}");
+    };
+    let message = "2 unclosed splines: drawn open, as its control points are, although it is flagged as closed (70)";
+    assert!(warning.ends_with(message), "{warning}");
+    for quiet in [spline(0, open), spline(1, "10 0 20 0")] {
+        assert_eq!(draw(&quiet).1, [""; 0], "{quiet}");
+    }
+}
