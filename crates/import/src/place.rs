@@ -36,6 +36,10 @@ impl From<usvg::roxmltree::TextPos> for Place {
 /// Line and column of an offset.
 pub(crate) fn place(text: &[u8], at: usize) -> Place {
     let before = &text[..at.min(text.len())];
+    #[expect(
+        clippy::naive_bytecount,
+        reason = "fast enough for a thousand mistakes"
+    )]
     let count = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
     let last = before.iter().rposition(|&byte| byte == b'\n');
     let last = &before[last.map_or(0, |end| end + 1)..];

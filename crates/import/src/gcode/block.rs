@@ -21,8 +21,6 @@ pub(super) struct Block {
     pub(super) is_real_time: bool,
     /// Whether it starts with `/`.
     pub(super) is_optional: bool,
-    /// Whether it is an `o` line of a subroutine.
-    pub(super) is_subroutine: bool,
     /// The values; valid for letters in the bit set.
     values: [f64; 26],
     places: [u32; 26],
@@ -36,8 +34,7 @@ impl Block {
         (self.begin, self.at) = (at, at);
         self.g.0.clear();
         self.m.0.clear();
-        (self.is_setting, self.is_real_time) = (false, false);
-        (self.is_optional, self.is_subroutine) = (false, false);
+        (self.is_setting, self.is_real_time, self.is_optional) = (false, false, false);
         self.letters = 0;
     }
 
@@ -230,7 +227,7 @@ impl BlockLexer<'_> {
     fn program_number(&mut self, block: &mut Block) -> Result<(), SourceError> {
         let at = self.at;
         if let Some(line) = subroutine::words(&self.text[at..]) {
-            (block.at, block.is_subroutine) = (at, true);
+            block.at = at;
             self.at += line.length;
             return Ok(());
         }

@@ -34,8 +34,8 @@ impl<'a> Subroutines<'a> {
             let left = self.left.checked_sub(length);
             self.left = left.ok_or_else(|| self.found(block, "at most 16 MB of called lines"))?;
         }
-        let line = block.is_subroutine.then(|| words(&self.text[block.at..]));
-        let Some(Words { name, keyword, .. }) = line.flatten() else {
+        let line = words(&self.text[block.at..]).filter(|_| block.is_empty());
+        let Some(Words { name, keyword, .. }) = line else {
             return Ok(at);
         };
         match keyword {

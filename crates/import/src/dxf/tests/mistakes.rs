@@ -110,9 +110,10 @@ fn a_mistake_outside_of_objects_costs_only_its_group() {
 
 #[test]
 fn many_different_mistakes_are_counted_together() {
-    let mistakes = (0..30)
-        .map(|i| format!("0 CIRCLE 10 x{i} "))
-        .collect::<String>();
+    let mut mistakes = String::new();
+    for i in 0..30 {
+        write!(mistakes, "0 CIRCLE 10 x{i} ").unwrap();
+    }
     let (_, warnings) = lines_beside(&mistakes);
     assert_eq!(warnings.len(), 21, "{warnings:?}");
     assert!(

@@ -5,8 +5,8 @@ use crate::options::GcodeTool;
 
 fn options(gcode: Option<GcodeTool>, burns: bool) -> ReadOptions {
     ReadOptions {
-        gcode,
         burns,
+        gcode,
         ..ReadOptions::default()
     }
 }
