@@ -4408,6 +4408,8 @@ export interface components {
              *         "layer": [],
              *         "only": [],
              *         "no_crop": false,
+             *         "gcode": null,
+             *         "strict": false,
              *         "hide": false,
              *         "hatch": null,
              *         "hatch_angle": 45,
@@ -4502,6 +4504,8 @@ export interface components {
              *       "layer": [],
              *       "only": [],
              *       "no_crop": false,
+             *       "gcode": null,
+             *       "strict": false,
              *       "hide": false,
              *       "hatch": null,
              *       "hatch_angle": 45,
@@ -4647,6 +4651,16 @@ export interface components {
              */
             no_crop: boolean;
             /**
+             * @description Read G-code as a program for a laser, a pen or a mill (default: as the file suggests)
+             * @default null
+             */
+            gcode: components["schemas"]["GcodeTool"] | null;
+            /**
+             * @description Refuse a file with a mistake, instead of drawing it without what the mistake spoils
+             * @default false
+             */
+            strict: boolean;
+            /**
              * @description Remove what is covered by filled shapes painted over it, including white ones
              * @default false
              */
@@ -4740,6 +4754,8 @@ export interface components {
             /** @description The name of its pen or material. */
             pen: string;
         };
+        /** @description The tool that a G-code file controls. */
+        GcodeTool: "laser" | "pen" | "mill";
         /** @description The line spacing of a hatching: `auto` or millimetres. */
         Spacing: number | components["schemas"]["Auto"];
         /** @description The word `auto`. */

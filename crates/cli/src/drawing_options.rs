@@ -9,7 +9,7 @@ use clap::error::ErrorKind;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use dobot_draw::{Grid, HatchStyle, LayerTool, Options, PaperSize, PassesBy, ResumePoint, Spacing};
-use dobot_import::{Align, LayersBy, ShadingStyle};
+use dobot_import::{Align, GcodeTool, LayersBy, ShadingStyle};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -37,6 +37,8 @@ fn rows() -> Vec<Row> {
         several::<String>("only", value_parser!(String))
             .arg(|arg| arg.value_name("NAME").requires("layers")),
         flag("no_crop"),
+        parsed::<GcodeTool>("gcode", "TOOL"),
+        flag("strict"),
         flag("hide"),
         parsed::<Spacing>("hatch", "MM")
             .arg(|arg| arg.num_args(0..=1).default_missing_value("auto")),

@@ -22,6 +22,7 @@ mod renderer;
 mod shapes;
 mod spline;
 mod text;
+mod wide;
 mod xclip;
 
 use dobot_geometry::{Affine, Vec2};
@@ -49,75 +50,70 @@ pub(crate) fn read(
     let mut file = File::read(&text)?;
     if options.hides {
         // Nothing else depends on it.
-        order::sort(&mut file)?;
+        let sorted = order::sort(&mut file);
+        sorted.or_else(|error| file.skip(error, "the order of the file remains"))?;
     }
     let code_page = unknown_code_page.as_deref();
-    let (far, from_origin) = match draw(&file, options, code_page, Vec2::ZERO) {
-        Err(error @ SourceError::TooFar { x_mm, y_mm, .. })
-            if x_mm.hypot(y_mm) <= 2.0 * MAX_COORDINATE =>
-        {
-            (Vec2::new(x_mm, y_mm), error)
+    let draw = |from_mm, skips_far| draw(&file, options, code_page, from_mm, skips_far);
+    let far_mm = match draw(Vec2::ZERO, false) {
+        Err(SourceError::TooFar { x_mm, y_mm, .. }) if x_mm.hypot(y_mm) <= 2.0 * MAX_COORDINATE => {
+            Vec2::new(x_mm, y_mm)
         }
+        Err(SourceError::TooFar { .. }) => Vec2::ZERO,
         drawn => return drawn,
     };
-    match draw(&file, options, code_page, far) {
-        Err(from_there @ SourceError::TooFar { .. }) => Err(too_far(from_origin, &from_there)),
+    match draw(far_mm, false) {
+        Err(SourceError::TooFar { .. }) => draw(Vec2::ZERO, true),
         drawn => drawn,
     }
 }
 
-/// Draws a file relative to a point, in mm.
+/// Draws a file relative to a point, in mm. Objects that are too far from it are an error, or else
+/// left out.
 fn draw(
     file: &File<'_>,
     options: &ReadOptions,
     unknown_code_page: Option<&str>,
     from_mm: Vec2,
+    skips_far: bool,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut sketch = Sketch::new(file.text, options)?;
+    for (mistake, instead) in &file.mistakes {
+        sketch.skip_mistake(Err(mistake.clone()), instead)?;
+    }
     if let Some(name) = unknown_code_page {
         let instead = format!("read as Windows-1252; its header names {name:?}");
         sketch.warn(None, "file in an unknown code page", &instead);
     }
     let unit_mm = file.unit_mm.unwrap_or_else(|| {
-        let instead = "taken for millimetres";
+        let instead = if file.is_imperial {
+            "taken for millimetres, although $MEASUREMENT 0 stands for inches; for inches, use place.scale 25.4"
+        } else {
+            "taken for millimetres"
+        };
         sketch.warn(None, "file without a unit ($INSUNITS)", instead);
         1.0
     });
     let frame = Affine::translate(-from_mm) * Affine::scale(unit_mm);
-    EntityRenderer::new(&mut sketch, file).all(frame)?;
+    EntityRenderer::new(&mut sketch, file, skips_far).all(frame)?;
     sketch.finish(Y::Up, "no lines in the file")
 }
 
-/// Refuses objects too far from the origin and from the rest of the drawing.
-fn too_far(from_origin: SourceError, from_there: &SourceError) -> SourceError {
-    let SourceError::TooFar {
-        place,
-        x_mm,
-        y_mm,
-        limit_mm,
-    } = from_origin
-    else {
-        return from_origin;
-    };
-    match from_there {
-        SourceError::TooFar { place: other, .. } if *other != place => SourceError::Found {
-            place,
-            found: format!("an object at ({x_mm:.0}, {y_mm:.0}) mm, far from that at {other}"),
-            expected: format!(
-                "all objects within {limit_mm:.0} mm; delete objects far away from the drawing"
-            ),
-        },
-        _ => from_origin,
-    }
+/// A first section, or the mark of a binary file.
+pub(crate) fn is_certain(start: &str) -> bool {
+    let is_binary = start.starts_with("AutoCAD Binary DXF") || start.starts_with("AC10");
+    is_binary || first_lines(start) == [Some("0"), Some("SECTION")]
 }
 
-/// Pairs of lines at the start: a section or a comment.
+/// A comment at the start.
 pub(crate) fn is_likely(start: &str) -> bool {
+    first_lines(start)[0] == Some("999")
+}
+
+fn first_lines(start: &str) -> [Option<&str>; 2] {
     let lines = start.split(['\r', '\n']).map(str::trim);
     let mut lines = lines.filter(|line| !line.is_empty());
-    let first = (lines.next(), lines.next());
-    let is_binary = start.starts_with("AutoCAD Binary DXF") || start.starts_with("AC10");
-    is_binary || first == (Some("0"), Some("SECTION")) || first.0 == Some("999")
+    [lines.next(), lines.next()]
 }
 
 #[cfg(test)]

@@ -92,6 +92,25 @@ pub enum SourceError {
         /// What is allowed there.
         expected: String,
     },
+    /// A source exceeds a limit that protects memory and time.
+    #[error("{place}: found {found}; expected {expected}")]
+    Limit {
+        /// The place.
+        place: Place,
+        /// What exceeds it.
+        found: String,
+        /// What is allowed.
+        expected: String,
+    },
+    /// A source contains a mistake, and only sources without any are allowed
+    /// ([`ReadOptions::strict`](crate::ReadOptions::strict)).
+    #[error("{place}: {what}")]
+    Mistake {
+        /// The place of the first one.
+        place: Place,
+        /// What was found and what is allowed.
+        what: String,
+    },
     /// The source leaves no ink.
     #[error("nothing to draw: {reason}")]
     NothingToDraw {
@@ -151,6 +170,20 @@ impl SourceError {
         )
     }
 
+    /// The place and the text of a mistake in a source, which spoils only a part of it.
+    pub(crate) fn mistake(&self) -> Option<(Place, String)> {
+        let message = self.to_string();
+        match self {
+            Self::Found { place, .. }
+            | Self::TooFar { place, .. }
+            | Self::Svg(SvgError::Malformed { place, .. } | SvgError::EndsTooSoon { place, .. }) => {
+                let text = message.strip_prefix(&format!("{place}: "));
+                Some((*place, text.unwrap_or(&message).to_owned()))
+            }
+            _ => None,
+        }
+    }
+
     /// An error about the text at an offset.
     pub(crate) fn found(
         text: &[u8],
@@ -159,6 +192,20 @@ impl SourceError {
         expected: impl Into<String>,
     ) -> Self {
         Self::Found {
+            place: place(text, at),
+            found: found.into(),
+            expected: expected.into(),
+        }
+    }
+
+    /// An error about a limit exceeded at an offset.
+    pub(crate) fn limit(
+        text: &[u8],
+        at: usize,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> Self {
+        Self::Limit {
             place: place(text, at),
             found: found.into(),
             expected: expected.into(),

@@ -52,7 +52,7 @@ pub static FORMATS: [Format; 13] = [
         extensions: &["dxf"],
         mime_type: "image/vnd.dxf",
         contents: Contents::Shapes,
-        is_certain: |_| false,
+        is_certain: |start| dxf::is_certain(&start.text),
         is_likely: |start| dxf::is_likely(&start.text),
         reader: Reader::Bytes(dxf::read),
     },
@@ -186,14 +186,18 @@ impl<'a> Start<'a> {
 }
 
 impl Format {
-    /// Returns the format of a file: by its start if unambiguous, else by its name, else the most
-    /// likely one. An empty file without a name counts as SVG, which gives the clearest error.
+    /// Returns the format of a file: by its start if unambiguous, else by its name unless it names
+    /// XML and the file is none, else the most likely one. An empty file without a name counts as
+    /// SVG, which gives the clearest error.
     #[must_use]
     pub fn of_file(name: &str, bytes: &[u8]) -> Option<&'static Self> {
         let start = Start::of(bytes);
         let certain = FORMATS.iter().find(|format| (format.is_certain)(&start));
         let likely = || FORMATS.iter().find(|format| (format.is_likely)(&start));
-        certain.or_else(|| Self::of_name(name)).or_else(likely)
+        let named = Self::of_name(name);
+        let is_xml = start.text.is_empty() || start.text.starts_with('<');
+        let fitting = named.filter(|format| is_xml || !["SVG", "LightBurn"].contains(&format.name));
+        certain.or(fitting).or_else(likely).or(named)
     }
 
     /// The format of a file name; `.gz` after its extension is ignored.

@@ -12,8 +12,10 @@ mod ink;
 mod ink_rule;
 mod laser;
 mod machine;
+mod ramp;
 mod servo;
 mod spindle;
+mod subroutine;
 mod switch;
 mod zero;
 
@@ -25,7 +27,7 @@ use crate::artwork::Artwork;
 use crate::error::SourceError;
 use crate::limits::MAX_SEGMENTS;
 use crate::options::ReadOptions;
-use crate::sketch::{Sketch, Y};
+use crate::sketch::{REST_LEFT_OUT, Sketch, Y};
 use crate::warning::Warning;
 use crate::warning::Warnings;
 
@@ -46,36 +48,55 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
     let mut sketch = Sketch::new(text, options)?;
     let mut statistics = MoveStatistics::default();
     let mut moves = 0;
-    let (tool, laser) = run(text, sketch.warnings(), |motion| {
+    let program = run(text, usize::MAX, sketch.warnings(), |motion| {
         moves += 1;
         if moves > MAX_MOVES {
             let found = format!("more than {MAX_MOVES} moves");
             let expected = "at most that in a drawing; simplify it, or draw it in parts";
-            return Err(SourceError::found(text, motion.at, found, expected));
+            return Err(SourceError::limit(text, motion.at, found, expected));
         }
         statistics.count(motion);
         Ok(())
-    })?;
-    let switch = options.burns.then(|| statistics.laser_switch(laser));
-    let rule = statistics.rule(text, &tool, laser, options.burns);
-    if let Some((what, instead)) = rule.assumed() {
-        sketch.warn(None, what, &instead);
-    }
+    });
+    sketch.skip_mistake(program.read, REST_LEFT_OUT)?;
+    let end = (program.tool, program.laser);
+    let switch = options.burns.then(|| statistics.laser_switch(end.1));
+    let rule = statistics.rule(text, end, options);
+    rule.report(sketch.warnings(), options.gcode);
     let mut inker = Inker::new(&mut sketch, rule, switch);
-    run(text, &mut Warnings::new(text), |motion| inker.draw(motion))?;
+    let warnings = &mut Warnings::new(text);
+    let drawn = run(text, program.lines, warnings, |motion| inker.draw(motion));
     inker.finish()?;
+    sketch.skip_mistake(drawn.read, REST_LEFT_OUT)?;
     Ok((sketch, rule))
 }
 
-/// Runs the program and passes all of its moves on; returns the tool and the laser at its end.
+/// A program that was run up to its end or its first mistake.
+struct Program {
+    /// The tool and the laser there.
+    tool: ToolState,
+    laser: LaserState,
+    /// The number of lines before the mistake, those of subroutines at each call.
+    lines: usize,
+    read: Result<(), SourceError>,
+}
+
+/// Runs at most `most` lines of the program and passes its moves on.
 fn run<'a>(
     text: &'a [u8],
+    most: usize,
     warnings: &mut Warnings<'a>,
     mut hand_on: impl FnMut(&Move) -> Result<(), SourceError>,
-) -> Result<(ToolState, LaserState), SourceError> {
+) -> Program {
     let mut machine = Machine::new(text, warnings);
-    block::each(text, |block| machine.handle(block, &mut hand_on))?;
-    Ok(machine.state())
+    let (lines, read) = block::each(text, most, |block| machine.handle(block, &mut hand_on));
+    let (tool, laser) = machine.state();
+    Program {
+        tool,
+        laser,
+        lines,
+        read,
+    }
 }
 
 /// The largest number of moves: lines of a drawing and travels; all are analysed before the first

@@ -8,6 +8,7 @@ mod line_type;
 mod plotter;
 mod polygon;
 mod shapes;
+mod tick;
 mod transform;
 mod units;
 mod window;
@@ -17,7 +18,7 @@ use self::plotter::Plotter;
 use crate::artwork::Artwork;
 use crate::error::SourceError;
 use crate::options::ReadOptions;
-use crate::sketch::{Sketch, Y};
+use crate::sketch::{REST_LEFT_OUT, Sketch, Y};
 use crate::warning::Warning;
 
 /// Reads a plot: each pen is a layer, filled rectangles, wedges and polygons are areas. The page is
@@ -27,10 +28,13 @@ pub(crate) fn read(
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut plotter = Plotter::new(Sketch::new(text, options)?);
-    commands(text).try_for_each(|command| plotter.handle(&command?))?;
-    plotter
-        .finish()?
-        .finish(Y::Up, "no command draws with a pen down")
+    let read = commands(text).try_for_each(|command| plotter.handle(&command?));
+    let mut sketch = match &read {
+        Ok(()) => plotter.finish()?,
+        Err(_) => plotter.finish_early()?,
+    };
+    sketch.skip_mistake(read, REST_LEFT_OUT)?;
+    sketch.finish(Y::Up, "no command draws with a pen down")
 }
 
 /// A plotter's escape sequence, or a command with which plots start, without other letters after

@@ -10,12 +10,14 @@ mod path;
 mod renderer;
 mod shapes;
 
+use usvg::roxmltree::Document;
+
 use self::cut::Cuts;
 use self::renderer::ShapeRenderer;
 use crate::artwork::Artwork;
 use crate::error::SourceError;
 use crate::options::ReadOptions;
-use crate::sketch::{Sketch, Y};
+use crate::sketch::{REST_LEFT_OUT, Sketch, Y};
 use crate::warning::Warning;
 use crate::xml;
 
@@ -26,13 +28,32 @@ pub(crate) fn read(
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut sketch = Sketch::new(text.as_bytes(), options)?;
-    let document = xml::tree(text, false)?;
+    let malformed = match xml::tree(text, false) {
+        Ok(document) => return draw(text, &document, sketch),
+        Err(error) => error,
+    };
+    let Some(part) = xml::complete_part(text, &malformed) else {
+        return Err(malformed);
+    };
+    let Ok(document) = xml::tree(&part, false) else {
+        return Err(malformed);
+    };
+    sketch.skip_mistake(Err(malformed), REST_LEFT_OUT)?;
+    draw(&part, &document, sketch)
+}
+
+/// Draws a project; places in its text are those in the file.
+fn draw(
+    text: &str,
+    document: &Document<'_>,
+    mut sketch: Sketch<'_>,
+) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let root = document.root_element();
     if !root.has_tag_name(ROOT) {
         let found = format!("<{}>", root.tag_name().name());
         return Err(sketch.found(root.range().start, found, "<LightBurnProject"));
     }
-    let cuts = Cuts::read(text, root)?;
+    let cuts = Cuts::read(text, root, &mut sketch)?;
     let mut renderer = ShapeRenderer::new(text, &mut sketch, root, cuts);
     renderer.all(root)?;
     renderer.finish()?;

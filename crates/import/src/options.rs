@@ -29,6 +29,11 @@ pub struct ReadOptions {
     /// Whether a laser draws: then nothing is burned while G-code switches it off (M5, M107, S0),
     /// and warnings mention differences from a laser's burn.
     pub burns: bool,
+    /// What a G-code file controls; `None` to infer it from the file.
+    pub gcode: Option<GcodeTool>,
+    /// Whether a source with a mistake is refused; otherwise everything up to the mistake, or all
+    /// other elements, are drawn with a warning.
+    pub strict: bool,
     /// The fonts for text.
     pub fonts: Arc<fontdb::Database>,
     /// The conversion of picture tones to lines or dots.
@@ -37,7 +42,7 @@ pub struct ReadOptions {
 
 impl Default for ReadOptions {
     /// The defaults: 0.005 mm at true size, a layer per colour, clipped to the page, nothing
-    /// hidden, for a laser, no fonts, pictures hatched.
+    /// hidden, for a laser, mistakes reported, no fonts, pictures hatched.
     fn default() -> Self {
         Self {
             tolerance_mm: 0.005,
@@ -47,6 +52,8 @@ impl Default for ReadOptions {
             hides: false,
             fills: true,
             burns: true,
+            gcode: None,
+            strict: false,
             fonts: Arc::default(),
             shading: Shading::default(),
         }
@@ -74,6 +81,31 @@ impl FromStr for LayersBy {
             "color" | "colour" => Ok(Self::Color),
             "group" => Ok(Self::Group),
             _ => Err("allowed are color and group"),
+        }
+    }
+}
+
+/// The tool that a G-code file controls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum GcodeTool {
+    /// A laser, switched by M3, M4, M106, M5, M107 and S.
+    Laser,
+    /// A pen, lifted by a servo, by Z, or by M3 and M5.
+    Pen,
+    /// A mill or drill, lifted by Z; M3 turns its spindle.
+    Mill,
+}
+
+impl FromStr for GcodeTool {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text {
+            "laser" => Ok(Self::Laser),
+            "pen" => Ok(Self::Pen),
+            "mill" => Ok(Self::Mill),
+            _ => Err("allowed are laser, pen and mill"),
         }
     }
 }

@@ -36,8 +36,13 @@ impl From<usvg::roxmltree::TextPos> for Place {
 /// Line and column of an offset.
 pub(crate) fn place(text: &[u8], at: usize) -> Place {
     let before = &text[..at.min(text.len())];
-    let lines = before.split(|&byte| byte == b'\n');
-    let (count, last) = lines.fold((0, before), |(count, _), line| (count + 1, line));
+    #[expect(
+        clippy::naive_bytecount,
+        reason = "fast enough for a thousand mistakes"
+    )]
+    let count = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
+    let last = before.iter().rposition(|&byte| byte == b'\n');
+    let last = &before[last.map_or(0, |end| end + 1)..];
     // Continuation bytes of a character are not columns.
     let columns = last.iter().filter(|&&byte| byte & 0xC0 != 0x80).count() + 1;
     Place::new(count, columns)

@@ -251,6 +251,16 @@ impl<'a> Sketch<'a> {
         self.warnings.add(at, what, instead);
     }
 
+    /// Reports a mistake in the source, for which the drawing lacks what `instead` states. Returns
+    /// other errors.
+    pub(super) fn skip_mistake(
+        &mut self,
+        read: Result<(), SourceError>,
+        instead: &str,
+    ) -> Result<(), SourceError> {
+        read.or_else(|error| self.warnings.add_mistake(error, instead))
+    }
+
     pub(super) const fn warnings(&mut self) -> &mut Warnings<'a> {
         &mut self.warnings
     }
@@ -457,6 +467,9 @@ impl<'a> Sketch<'a> {
         self.hide()?;
         self.layers.retain(|layer| !layer.is_empty());
         if self.layers.is_empty() {
+            if let Some(mistake) = self.warnings.take_mistake() {
+                return Err(mistake);
+            }
             let warnings = self.warnings.into_list();
             let warnings = warnings.iter().map(Warning::to_string);
             let reasons = [nothing.to_owned()].into_iter().chain(warnings);
@@ -561,5 +574,7 @@ fn close(stroke: &mut Stroke) {
     }
 }
 
+/// What the drawing lacks if a mistake ends it.
+pub(super) const REST_LEFT_OUT: &str = "the rest of the file is left out";
 /// The largest number of layers: pens, or speeds and powers.
 const MAX_LAYERS: usize = 1000;

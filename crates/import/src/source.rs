@@ -7,8 +7,9 @@ use crate::error::SourceError;
 use crate::formats::{Contents, FORMATS, Format};
 use crate::limits::{MAX_BYTES, MAX_PICTURE_BYTES};
 use crate::options::ReadOptions;
+use crate::place::Place;
 use crate::text::{Font, Text};
-use crate::warning::Warning;
+use crate::warning::{Warning, WarningKind};
 use crate::{encoding, foreign, packed, picture, points};
 
 /// A source, not yet read.
@@ -98,11 +99,15 @@ impl Source {
     ///
     /// [`SourceError`] with the place, what was found and what is allowed.
     pub fn read(&self, options: &ReadOptions) -> Result<(Artwork, Vec<Warning>), SourceError> {
-        match self {
-            Self::File { format, bytes } => format.read(bytes, options),
-            Self::Text(text) => text.read(options),
-            Self::Lines(lines) => points::read_lines(lines, options),
+        let (artwork, warnings) = match self {
+            Self::File { format, bytes } => format.read(bytes, options)?,
+            Self::Text(text) => text.read(options)?,
+            Self::Lines(lines) => points::read_lines(lines, options)?,
+        };
+        if options.strict {
+            refuse_mistakes(&warnings)?;
         }
+        Ok((artwork, warnings))
     }
 
     /// The bytes of a picture.
@@ -121,6 +126,18 @@ impl Source {
     /// [`SourceError::Picture`] if the file is damaged or too large.
     pub fn picture_page(&self) -> Result<Option<Point>, SourceError> {
         self.picture().map(picture::page).transpose()
+    }
+}
+
+/// Refuses a source with a mistake.
+pub(crate) fn refuse_mistakes(warnings: &[Warning]) -> Result<(), SourceError> {
+    let is_mistake = |warning: &&Warning| warning.kind == WarningKind::Mistake;
+    match warnings.iter().find(is_mistake) {
+        Some(Warning { place, what, .. }) => Err(SourceError::Mistake {
+            place: place.unwrap_or(Place::new(1, 1)),
+            what: what.clone(),
+        }),
+        None => Ok(()),
     }
 }
 

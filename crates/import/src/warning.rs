@@ -3,11 +3,14 @@
 use std::collections::HashMap;
 use std::fmt;
 
+use crate::error::SourceError;
 use crate::place::{Place, place};
 
 /// A difference between a source and its drawing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Warning {
+    /// The kind.
+    pub kind: WarningKind,
     /// The file, if several are drawn.
     pub file: Option<String>,
     /// The first place, if known.
@@ -20,10 +23,23 @@ pub struct Warning {
     pub count: usize,
 }
 
+/// The kind of a warning.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WarningKind {
+    /// A statement about how an unambiguous source is read.
+    Note,
+    /// Something that is drawn differently or left out.
+    Difference,
+    /// A mistake in the source; what it spoils is left out.
+    Mistake,
+}
+
 impl Warning {
-    /// Creates a warning without a place.
-    pub(crate) fn new(what: &str, instead: &str, count: usize) -> Self {
+    /// Creates a warning about a difference, without a place.
+    #[must_use]
+    pub fn new(what: &str, instead: &str, count: usize) -> Self {
         Self {
+            kind: WarningKind::Difference,
             file: None,
             place: None,
             what: what.to_owned(),
@@ -42,14 +58,18 @@ impl fmt::Display for Warning {
         if let Some(place) = self.place {
             write!(f, "{place}: ")?;
         }
-        let plural = if self.count == 1 { "" } else { "s" };
         let Self {
             what,
             instead,
             count,
             ..
         } = self;
-        write!(f, "{count} {what}{plural}: {instead}")
+        match (self.kind, *count) {
+            (WarningKind::Note, _) | (WarningKind::Mistake, 1) => write!(f, "{what}: {instead}"),
+            (WarningKind::Mistake, count) => write!(f, "{what} (first of {count}): {instead}"),
+            (WarningKind::Difference, 1) => write!(f, "1 {what}: {instead}"),
+            (WarningKind::Difference, count) => write!(f, "{count} {what}s: {instead}"),
+        }
     }
 }
 
@@ -59,6 +79,8 @@ pub(crate) struct Warnings<'a> {
     text: &'a [u8],
     list: Vec<Warning>,
     numbers: HashMap<String, usize>,
+    first_mistake: Option<SourceError>,
+    mistakes: usize,
 }
 
 impl<'a> Warnings<'a> {
@@ -67,6 +89,8 @@ impl<'a> Warnings<'a> {
             text,
             list: Vec::new(),
             numbers: HashMap::new(),
+            first_mistake: None,
+            mistakes: 0,
         }
     }
 
@@ -76,14 +100,65 @@ impl<'a> Warnings<'a> {
             self.list[number].count += 1;
             return;
         }
-        self.numbers.insert(what.to_owned(), self.list.len());
-        self.list.push(Warning {
+        self.push(Warning {
             place: at.into().map(|at| place(self.text, at)),
             ..Warning::new(what, instead, 1)
         });
+    }
+
+    /// Adds a statement about how the source is read.
+    pub(crate) fn note(&mut self, what: &str, instead: &str) {
+        self.push(Warning {
+            kind: WarningKind::Note,
+            ..Warning::new(what, instead, 1)
+        });
+    }
+
+    /// Reports a mistake in the source, for which the drawing lacks what `instead` states. Returns
+    /// other errors, and a mistake after too many of them.
+    pub(crate) fn add_mistake(
+        &mut self,
+        error: SourceError,
+        instead: &str,
+    ) -> Result<(), SourceError> {
+        let Some((place, mut what)) = error.mistake().filter(|_| self.mistakes < MAX_MISTAKES)
+        else {
+            return Err(error);
+        };
+        self.mistakes += 1;
+        self.first_mistake.get_or_insert(error);
+        if !self.numbers.contains_key(&what) && self.mistakes > MAX_SHOWN_MISTAKES {
+            FURTHER.clone_into(&mut what);
+        }
+        if let Some(&number) = self.numbers.get(&what) {
+            self.list[number].count += 1;
+            return Ok(());
+        }
+        self.push(Warning {
+            kind: WarningKind::Mistake,
+            place: Some(place),
+            ..Warning::new(&what, instead, 1)
+        });
+        Ok(())
+    }
+
+    fn push(&mut self, warning: Warning) {
+        self.numbers.insert(warning.what.clone(), self.list.len());
+        self.list.push(warning);
+    }
+
+    /// The first mistake, as an error.
+    pub(crate) const fn take_mistake(&mut self) -> Option<SourceError> {
+        self.first_mistake.take()
     }
 
     pub(crate) fn into_list(self) -> Vec<Warning> {
         self.list
     }
 }
+
+/// A source with more mistakes is refused.
+pub(crate) const MAX_MISTAKES: usize = 1000;
+/// After this many, new ones are only counted.
+const MAX_SHOWN_MISTAKES: usize = 20;
+const FURTHER: &str = "further mistakes";

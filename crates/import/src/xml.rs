@@ -90,6 +90,47 @@ fn unclosed(text: &str, error: &Error) -> Option<SvgError> {
     Some(SvgError::EndsTooSoon { place, part })
 }
 
+/// The outermost element with its children that are complete before an error, closed.
+pub(crate) fn complete_part(text: &str, error: &SourceError) -> Option<String> {
+    let end = match error {
+        SourceError::Svg(SvgError::Malformed { place, .. }) => offset(text, *place),
+        SourceError::Svg(SvgError::EndsTooSoon { .. }) => text.len(),
+        _ => return None,
+    };
+    let (mut at, mut depth, mut complete) = (0, 0_usize, None);
+    let mut root = "";
+    while let Some(start) = text[at..end].find('<').map(|start| at + start) {
+        let tag = &text[start..];
+        let Some(length) = tag_end(tag).filter(|length| start + length <= end) else {
+            break;
+        };
+        at = start + length;
+        let name = tag[1..]
+            .split(|c: char| c.is_whitespace() || "/>".contains(c))
+            .next()?;
+        if tag.starts_with("</") {
+            depth = depth.checked_sub(1)?;
+        } else if !name.starts_with(['!', '?']) && !text[..at].ends_with("/>") {
+            if depth == 0 {
+                root = name;
+            }
+            depth += 1;
+        }
+        if depth == 1 {
+            complete = Some(at);
+        }
+    }
+    complete.map(|at| format!("{}</{root}>", &text[..at]))
+}
+
+/// The offset of a place in a text.
+fn offset(text: &str, place: Place) -> usize {
+    let lines = text.split_inclusive('\n').take(place.line as usize - 1);
+    let begin: usize = lines.map(str::len).sum();
+    let column = text[begin..].char_indices().nth(place.column as usize - 1);
+    column.map_or(text.len(), |(at, _)| begin + at)
+}
+
 /// The end of a tag, a comment or another markup at the start of a text.
 fn tag_end(text: &str) -> Option<usize> {
     let after = |mark: &str| text.find(mark).map(|at| at + mark.len());

@@ -4,7 +4,7 @@ import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { player } from "../preview/preview.js";
-import { accepted, formatNames, hasSubject, withFieldNames, wrongField } from "../state/draw.js";
+import { accepted, formatNames, hasSubject, isGcode, withFieldNames, wrongField } from "../state/draw.js";
 import { paperOf } from "../state/paper.js";
 import { blockedReason, isVirtual } from "../state/selectors.js";
 import { sentence } from "../views/banners.js";
@@ -16,6 +16,7 @@ import { sheet } from "./sheet.js";
 
 const FONTS = /** @type {const} */ (["sans", "script", "serif", "gothic"]);
 const LAYERS = /** @type {const} */ (["nothing", "color", "group"]);
+const GCODE = /** @type {const} */ (["file", "laser", "pen", "mill"]);
 /** The most warnings shown. */
 const MOST_WARNINGS = 8;
 
@@ -103,6 +104,8 @@ function way(context) {
         <div class="setting"><span>${t("draw.font")}</span><select id="draw-font" aria-label=${t("draw.font")} .value=${live(draw.set.font)} @change=${(/** @type {Event} */ event) => set({ font: value(event) })}>${FONTS.map((font) => html`<option value=${font}>${font}</option>`)}</select></div>` : html`
         <div class="setting"><span>${t("draw.layers")}</span><select id="draw-layers" aria-label=${t("draw.layers")} .value=${live(draw.set.layers)} @change=${(/** @type {Event} */ event) => set({ layers: /** @type {Settings["layers"]} */ (value(event)) })}>${LAYERS.map((choice) => html`<option value=${choice}>${t(`draw.layers.${choice}`)}</option>`)}</select></div>
         ${layers.map(({ name }, n) => html`<div class="setting layer"><span class="swatch" data-pass=${n}>${name}</span>${pens(context, `draw-layer-${n}`, draw.set.pens[name] ?? draw.set.tool, `${t("draw.layer")} ${name}`, (pen) => set({ pens: { ...draw.set.pens, [name]: pen } }))}</div>`)}
+        ${isGcode(draw) ? html`
+          <div class="setting"><span>${t("draw.gcode")}</span><select id="draw-gcode" aria-label=${t("draw.gcode")} .value=${live(draw.set.gcode)} @change=${(/** @type {Event} */ event) => set({ gcode: /** @type {Settings["gcode"]} */ (value(event)) })}>${GCODE.map((choice) => html`<option value=${choice}>${t(`draw.gcode.${choice}`)}</option>`)}</select></div>` : nothing}
         ${check(context, "hatch")}`}
       <div class="fields">
         ${field(context, "speed", "mm/s", "")}${field(context, "tolerance", "mm", "0.05")}

@@ -7,7 +7,7 @@ import { paperOf } from "./paper.js";
 /** @typedef {Schemas["DrawingPlan"]} Plan */
 /** The supported formats. @typedef {readonly Schemas["Format"][]} Formats */
 /** @typedef {{ x: string, y: string, scale: string, rotate: string, down: string }} Place The text of the fields; empty for the station's default. */
-/** @typedef {{ tool: string, speed: string, tolerance: string, layers: "nothing" | "color" | "group", pens: Readonly<Record<string, string>>, hatch: boolean, clip: boolean, fit: boolean, height: string, font: string }} Way */
+/** @typedef {{ tool: string, speed: string, tolerance: string, layers: "nothing" | "color" | "group", gcode: "file" | "laser" | "pen" | "mill", pens: Readonly<Record<string, string>>, hatch: boolean, clip: boolean, fit: boolean, height: string, font: string }} Way */
 /** @typedef {Place & Way} Settings */
 /** Placement of a drawing: centre, scale and rotation. @typedef {{ x_mm: number, y_mm: number, scale: number, rotate_deg: number }} Lies */
 
@@ -38,7 +38,7 @@ export const formatNames = (formats) => formats.map(({ name }) => name).join(", 
 export const MOST_BYTES = 24_000_000;
 /** The page's names of drawing options. @type {Readonly<Record<string, import("../i18n/i18n.js").TextKey>>} */
 const FIELD_NAMES = {
-  "what.hatch": "draw.hatch", "what.height": "draw.height", "what.layers": "draw.layers",
+  "what.hatch": "draw.hatch", "what.height": "draw.height", "what.layers": "draw.layers", "what.gcode": "draw.gcode",
   "place.scale": "draw.scale", "place.rotate": "draw.rotate", "place.pen_down": "draw.down", "place.fit": "draw.fit", "place.clip": "draw.clip",
   "tool.pen": "draw.tool", "tool.laser": "draw.tool", "tool.speed": "draw.speed", "way.tolerance": "draw.tolerance",
 };
@@ -50,7 +50,7 @@ export const NO_DRAW = {
   what: "file",
   file: null,
   text: "",
-  set: { x: "", y: "", scale: "", rotate: "", down: "", tool: "fineliner", speed: "", tolerance: "", layers: "nothing", pens: {}, hatch: false, clip: false, fit: false, height: "", font: "sans" },
+  set: { x: "", y: "", scale: "", rotate: "", down: "", tool: "fineliner", speed: "", tolerance: "", layers: "nothing", gcode: "file", pens: {}, hatch: false, clip: false, fit: false, height: "", font: "sans" },
   revision: 0,
   phase: "nothing",
   drawing: null,
@@ -80,6 +80,13 @@ const numberOf = (text) => (text.trim() === "" ? null : Number(text));
 /** A text of the station with the names that the page has for the options in it. @param {import("../i18n/i18n.js").Translate} t @param {string} text */
 export const withFieldNames = (t, text) => text.replace(/(?<![\w./])`?\b((?:what|place|tool|way)\.\w+)`?/g, (all, /** @type {string} */ field) => (FIELD_NAMES[field] ? `“${t(FIELD_NAMES[field])}”` : all));
 
+/** Whether the file is G-code, by its name. @param {Draw} draw */
+export const isGcode = ({ what, file, formats }) => {
+  const extensions = formats.find(({ name }) => name === "G-code")?.extensions ?? [];
+  const name = file?.name.toLowerCase() ?? "";
+  return what === "file" && extensions.some((extension) => name.endsWith(`.${extension}`));
+};
+
 /** Whether there is something to draw. @param {Draw} draw */
 export const hasSubject = ({ what, file, text }) => (what === "file" ? file !== null : text.trim() !== "");
 
@@ -99,6 +106,7 @@ export function optionsOf(page) {
       ...(what === "text" ? { text, font: set.font, height: number("height") } : {}),
       ...(set.layers === "nothing" ? {} : { layers: set.layers, layer }),
       ...(set.hatch ? { hatch: "auto" } : {}),
+      ...(isGcode(page.draw) && set.gcode !== "file" ? { gcode: set.gcode } : {}),
     },
     place: {
       at: [number("x") ?? MIDDLE.x_mm, number("y") ?? MIDDLE.y_mm],

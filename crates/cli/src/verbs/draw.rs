@@ -21,6 +21,7 @@ use dobot_draw::{
 };
 use dobot_geometry::{Deviation, Stroke, WorstPoint, deviation};
 use dobot_host::{PlannedFor, StationClient};
+use dobot_import::WarningKind;
 use dobot_sim::RECORDING_PERIOD;
 use dobot_wire::{Dialect, Status};
 use indicatif::ProgressBar;
@@ -66,7 +67,11 @@ async fn draw(args: Args) -> Result<(), Failure> {
         Shown::StepsAndHours,
     )?;
     for warning in &drawing.prepared.warnings {
-        eprintln!("warning: {}", with_option_names(&warning.to_string()));
+        let kind = match warning.kind {
+            WarningKind::Note => "note",
+            _ => "warning",
+        };
+        eprintln!("{kind}: {}", with_option_names(&warning.to_string()));
     }
     let hours = drawing.prepared.plan.duration_s() / 3600.0;
     if hours > LONG_HOURS {

@@ -146,6 +146,8 @@ impl DrawingRequest {
             hatch: hatch(&options.what, &material),
             shading: shading(&options, tool),
             crops: !options.what.no_crop,
+            gcode: options.what.gcode,
+            strict: options.what.strict,
             hides: options.what.hide,
             join_mm: options.way.join,
             drops_duplicates: options.way.drop_doubles,

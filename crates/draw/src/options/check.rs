@@ -296,6 +296,7 @@ enum Purpose {
     /// Shapes painted over each other.
     Painted,
     Pages,
+    Gcode,
     /// The layers of drawings.
     Layers,
     /// Everything except the test card.
@@ -303,7 +304,7 @@ enum Purpose {
 }
 
 impl Purpose {
-    const fn fits(self, kind: SourceKind) -> bool {
+    fn fits(self, kind: SourceKind) -> bool {
         let is_picture = matches!(kind.contents(), Some(Contents::Picture));
         let is_drawing = kind.contents().is_some() && !is_picture;
         match self {
@@ -312,7 +313,7 @@ impl Purpose {
             Self::Texts => matches!(kind, SourceKind::Text),
             Self::Cards => matches!(kind, SourceKind::Card),
             Self::Areas => is_drawing || matches!(kind, SourceKind::Text),
-            Self::Painted | Self::Pages => match kind {
+            Self::Painted | Self::Pages | Self::Gcode => match kind {
                 SourceKind::File(format) => self.fits_format(format),
                 _ => false,
             },
@@ -322,8 +323,9 @@ impl Purpose {
     }
 
     /// Whether an option applies to files of this format, for properties of only some formats.
-    const fn fits_format(self, format: &Format) -> bool {
+    fn fits_format(self, format: &Format) -> bool {
         match self {
+            Self::Gcode => format.name == "G-code",
             Self::Painted => matches!(format.contents, Contents::Page | Contents::Shapes),
             _ => matches!(format.contents, Contents::Page),
         }
@@ -338,7 +340,7 @@ impl fmt::Display for Purpose {
             Self::Texts => "the letters of what.text",
             Self::Cards => "the test card of what.card",
             Self::Areas => "the areas of drawings and texts (`what.shade hatch` is for pictures)",
-            Self::Painted | Self::Pages => {
+            Self::Painted | Self::Pages | Self::Gcode => {
                 let names = Format::names(|format| self.fits_format(format), "and");
                 return write!(f, "{names} files");
             }
@@ -349,7 +351,7 @@ impl fmt::Display for Purpose {
 }
 
 /// Returns each field, whether it is given, and its purpose. Values set by a material do not count.
-fn given(options: &Options) -> [(&'static str, bool, Purpose); 32] {
+fn given(options: &Options) -> [(&'static str, bool, Purpose); 33] {
     let Options {
         what, place, tool, ..
     } = options;
@@ -380,6 +382,7 @@ fn given(options: &Options) -> [(&'static str, bool, Purpose); 32] {
         ("what.hatch", what.hatch.is_some(), Purpose::Areas),
         ("what.layers", what.layers.is_some(), Purpose::Layers),
         ("what.no_crop", what.no_crop, Purpose::Pages),
+        ("what.gcode", what.gcode.is_some(), Purpose::Gcode),
         ("what.hide", what.hide, Purpose::Painted),
         ("place.fit", place.fit, Purpose::Drawings),
         (
@@ -422,6 +425,10 @@ mod tests {
             (
                 r#"{"what": {"shade": "lines"}}"#,
                 "what.shade is for pictures, and a.svg is in SVG format",
+            ),
+            (
+                r#"{"what": {"gcode": "laser"}}"#,
+                "what.gcode is for G-code files, and a.svg is in SVG format",
             ),
             (
                 r#"{"place": {"fit": true, "scale": 2}}"#,

@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use dobot_import::{Align, LayersBy, ShadingStyle};
+use dobot_import::{Align, GcodeTool, LayersBy, ShadingStyle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -46,6 +46,10 @@ pub struct ContentOptions {
     pub only: Vec<String>,
     /// Also draw content beyond the page of an SVG file, instead of cropping it
     pub no_crop: bool,
+    /// Read G-code as a program for a laser, a pen or a mill (default: as the file suggests)
+    pub gcode: Option<GcodeTool>,
+    /// Refuse a file with a mistake, instead of drawing it without what the mistake spoils
+    pub strict: bool,
     /// Remove what is covered by filled shapes painted over it, including white ones
     pub hide: bool,
     /// Hatch filled areas with this line spacing, in mm (default: as suits the pen or material)
@@ -97,6 +101,8 @@ impl Default for ContentOptions {
             layer: Vec::new(),
             only: Vec::new(),
             no_crop: false,
+            gcode: None,
+            strict: false,
             hide: false,
             hatch: None,
             hatch_angle: 45.0,

@@ -114,13 +114,8 @@ pub(super) fn pen_speeds(layers: &[Layer], settings: &Settings) -> Option<Warnin
 /// Warns that there is nothing to hatch.
 pub(super) fn unhatched(layers: &[Layer], settings: &Settings) -> Option<Warning> {
     let has_areas = layers.iter().any(|layer| !layer.areas.is_empty());
-    (settings.hatch.is_some() && !has_areas).then(|| Warning {
-        file: None,
-        place: None,
-        what: "hatching without filled areas".to_owned(),
-        instead: "nothing is hatched".to_owned(),
-        count: 1,
-    })
+    (settings.hatch.is_some() && !has_areas)
+        .then(|| Warning::new("hatching without filled areas", "nothing is hatched", 1))
 }
 
 /// Returns the message to the person before a layer: the pen is changed between layers that are

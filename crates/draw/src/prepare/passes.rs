@@ -396,13 +396,7 @@ fn around(p: Point, by_mm: f64) -> [Point; 4] {
 }
 
 pub(super) fn counted(count: usize, what: &str, instead: &str) -> Option<Warning> {
-    (count > 0).then(|| Warning {
-        file: None,
-        place: None,
-        what: what.to_owned(),
-        instead: instead.to_owned(),
-        count,
-    })
+    (count > 0).then(|| Warning::new(what, instead, count))
 }
 
 /// Repeats a stroke without lifting the pen: a closed one continues around, an open one goes back

@@ -81,6 +81,8 @@ impl<'a> Reading<'a> {
             layers: settings.layers.unwrap_or_default(),
             shading: settings.shading,
             crops: settings.crops,
+            gcode: settings.gcode,
+            strict: settings.strict,
             hides: settings.hides,
             fills: settings.hatch.is_some(),
             burns: settings.tool.burns() || settings.tools.iter().any(|(_, tool)| tool.burns()),

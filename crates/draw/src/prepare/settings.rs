@@ -5,7 +5,7 @@ use std::sync::Arc;
 use dobot_api::CalibrationFile;
 use dobot_geometry::Area;
 use dobot_import::fontdb;
-use dobot_import::{LayersBy, Shading, ShadingStyle};
+use dobot_import::{GcodeTool, LayersBy, Shading, ShadingStyle};
 use dobot_plan::{ArmLimits, DrawingTool, Paper};
 
 use super::PrepareError;
@@ -55,6 +55,10 @@ pub struct Settings {
     pub tools: Vec<(String, DrawingTool)>,
     /// Whether an SVG file is cropped to its page.
     pub crops: bool,
+    /// What G-code controls; `None` to infer it from each file.
+    pub gcode: Option<GcodeTool>,
+    /// Whether a file with a mistake is refused.
+    pub strict: bool,
     /// Whether filled shapes of an SVG, DXF or HP-GL file hide what lies below.
     pub hides: bool,
     /// The distance up to which stroke ends are joined, in mm; the tolerance by default.
@@ -157,6 +161,8 @@ impl Default for Settings {
             only: Vec::new(),
             tools: Vec::new(),
             crops: true,
+            gcode: None,
+            strict: false,
             hides: false,
             join_mm: None,
             drops_duplicates: false,

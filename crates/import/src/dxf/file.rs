@@ -9,6 +9,8 @@ use super::named::Named;
 use super::pairs::{Pair, pairs};
 use crate::error::SourceError;
 use crate::place::beginning;
+use crate::sketch::REST_LEFT_OUT;
+use crate::warning::MAX_MISTAKES;
 
 /// The index of a file.
 #[derive(Debug)]
@@ -25,6 +27,10 @@ pub(super) struct File<'a> {
     pub(super) entities: Vec<Span<'a>>,
     /// Dictionaries, filters and multiline styles, by handle.
     pub(super) objects: HashMap<&'a [u8], Span<'a>>,
+    /// Mistakes outside of entities, and what is left out for each.
+    pub(super) mistakes: Vec<(SourceError, &'static str)>,
+    /// Whether $MEASUREMENT states imperial units.
+    pub(super) is_imperial: bool,
 }
 
 /// A layer of the layer table.
@@ -86,20 +92,40 @@ pub(super) struct Span<'a> {
 }
 
 impl<'a> File<'a> {
+    /// Reads the sections up to the end of the file, or to the first line that is no group.
     pub(super) fn read(text: &'a [u8]) -> Result<Self, SourceError> {
         refuse_binary(text)?;
         let mut reader = SectionReader::new(text);
         for pair in pairs(text, beginning(text)) {
-            let pair = pair?;
+            let pair = match pair {
+                Ok(pair) => pair,
+                Err(mistake) => return Ok(reader.cut_off(mistake)),
+            };
             if pair.is(0, b"EOF") {
                 reader.end_entity(pair.at);
                 reader.end_record();
                 return Ok(reader.file);
             }
-            reader.pair(pair)?;
+            let read = reader.pair(pair);
+            read.or_else(|error| reader.file.skip(error, "its group is left out"))?;
         }
         let expected = "0 and EOF: the file is cut off";
-        Err(SourceError::unexpected(text, text.len(), expected))
+        let mistake = SourceError::unexpected(text, text.len(), expected);
+        Ok(reader.cut_off(mistake))
+    }
+
+    /// Notes a mistake, for which the drawing lacks what `instead` states. Returns other errors,
+    /// and a mistake after too many of them.
+    pub(super) fn skip(
+        &mut self,
+        error: SourceError,
+        instead: &'static str,
+    ) -> Result<(), SourceError> {
+        if error.mistake().is_none() || self.mistakes.len() == MAX_MISTAKES {
+            return Err(error);
+        }
+        self.mistakes.push((error, instead));
+        Ok(())
     }
 }
 
@@ -147,6 +173,8 @@ impl<'a> SectionReader<'a> {
                 blocks: Named::default(),
                 entities: Vec::new(),
                 objects: HashMap::new(),
+                mistakes: Vec::new(),
+                is_imperial: false,
             },
             section: b"",
             variable: b"",
@@ -158,6 +186,17 @@ impl<'a> SectionReader<'a> {
             line_type: None,
             count: 0,
         }
+    }
+
+    /// The file up to a mistake. An entity that may be incomplete is left out.
+    fn cut_off(mut self, mistake: SourceError) -> File<'a> {
+        self.entity = None;
+        self.end_record();
+        if let Some((name, block)) = self.block.take() {
+            self.file.blocks.insert(name, block);
+        }
+        self.file.mistakes.push((mistake, REST_LEFT_OUT));
+        self.file
     }
 
     fn pair(&mut self, pair: Pair<'a>) -> Result<(), SourceError> {
@@ -201,6 +240,8 @@ impl<'a> SectionReader<'a> {
             self.variable = pair.value;
         } else if self.variable == b"$LTSCALE" {
             self.file.line_scale = pair.number()?;
+        } else if self.variable == b"$MEASUREMENT" {
+            self.file.is_imperial = pair.number()? == 0.0;
         } else if self.variable == b"$INSUNITS" {
             let code = pair.number()?;
             self.file.unit_mm = unit_mm(code);
@@ -348,7 +389,7 @@ impl<'a> SectionReader<'a> {
 pub(super) fn too_many(text: &[u8], at: usize) -> SourceError {
     let found = format!("more than {MAX_OBJECTS} entities, layers, blocks and objects");
     let expected = "fewer; purge the drawing, or draw it in parts";
-    SourceError::found(text, at, found, expected)
+    SourceError::limit(text, at, found, expected)
 }
 
 /// The unit of a value of `$INSUNITS`.

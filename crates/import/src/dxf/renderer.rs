@@ -25,6 +25,10 @@ pub(super) struct EntityRenderer<'s, 'a> {
     layer: Option<String>,
     /// Whether the INSERT of the current block is opaque.
     pub(super) block_is_opaque: bool,
+    /// The blocks that are being drawn.
+    open_blocks: Vec<&'s Block<'a>>,
+    /// Whether objects too far away are left out; otherwise they are an error.
+    skips_far: bool,
     pub(super) lettering: Lettering,
 }
 
@@ -41,13 +45,15 @@ struct Copy<'l> {
 }
 
 impl<'s, 'a> EntityRenderer<'s, 'a> {
-    pub(super) fn new(sketch: &'s mut Sketch<'a>, file: &'s File<'a>) -> Self {
+    pub(super) fn new(sketch: &'s mut Sketch<'a>, file: &'s File<'a>, skips_far: bool) -> Self {
         Self {
             sketch,
             file,
             copies_left: MAX_COPIED,
             layer: None,
             block_is_opaque: true,
+            open_blocks: Vec::new(),
+            skips_far,
             lettering: Lettering::default(),
         }
     }
@@ -76,13 +82,24 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             let rest = spans.as_slice();
             let parts = rest.iter().take_while(|byte| Some(byte.kind) == part);
             let count = parts.count();
-            let is_shown = self.entity(span, &rest[..count], copy)?;
+            let drawn = self.entity(span, &rest[..count], copy);
+            let is_shown = drawn.or_else(|error| self.skip(error))?;
             // The visible attributes of a block are separate entities.
             if span.kind == b"POLYLINE" || !is_shown {
                 spans = rest[count..].iter();
             }
         }
         Ok(())
+    }
+
+    /// Reports a mistake in an entity, of which nothing more is drawn.
+    fn skip(&mut self, error: SourceError) -> Result<bool, SourceError> {
+        if matches!(error, SourceError::TooFar { .. }) && !self.skips_far {
+            return Err(error);
+        }
+        self.sketch
+            .skip_mistake(Err(error), "its object is left out")?;
+        Ok(false)
     }
 
     /// Charges copied bytes: copies of copies may be many, although the file is small.
@@ -92,7 +109,8 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             return Ok(());
         }
         let expected = "copies of blocks (INSERT) of less than 200 MB in total";
-        Err(self.sketch.found(span.at, "one copy too many", expected))
+        let found = "one copy too many";
+        Err(SourceError::limit(self.file.text, span.at, found, expected))
     }
 
     /// Draws an entity; `false` for an invisible one.
@@ -302,6 +320,14 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             self.left_out(entity, &instead);
             return Ok(());
         };
+        if [41, 42]
+            .into_iter()
+            .map(|code| entity.number_or(code, 1.0))
+            .any(|size| size == Ok(0.0))
+        {
+            self.left_out(entity, "left out, because its scale is 0");
+            return Ok(());
+        }
         let Some(frame) = self.seen(entity, copy.frame)? else {
             return Ok(());
         };
@@ -375,8 +401,15 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         block: &'s Block<'a>,
         copy: Copy<'_>,
     ) -> Result<(), SourceError> {
+        if self
+            .open_blocks
+            .iter()
+            .any(|open| std::ptr::eq(*open, block))
+        {
+            return Err(entity.refused("a block inside itself", "blocks of other objects"));
+        }
         if copy.depth == MAX_DEPTH {
-            return Err(entity.refused("a block inside itself", "blocks nested at most 32 deep"));
+            return Err(entity.refused("one more nested block", "blocks nested at most 32 deep"));
         }
         self.spend(Span {
             kind: b"",
@@ -387,7 +420,9 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         let is_opaque = self.is_opaque(entity, self.file.layers.get(copy.layer))?;
         let around = std::mem::replace(&mut self.block_is_opaque, is_opaque);
         let depth = copy.depth + 1;
+        self.open_blocks.push(block);
         let drawn = self.entities(&block.entities, Copy { depth, ..copy });
+        self.open_blocks.pop();
         self.block_is_opaque = around;
         drawn
     }

@@ -11,29 +11,38 @@ use super::pairs::Pair;
 use super::plane::{Plane, from_above};
 use super::renderer::EntityRenderer;
 use super::spline::Spline;
-use crate::arc::Arc;
+use crate::arc::{Arc, SAME_MM};
 use crate::error::SourceError;
 use crate::frame::way;
 use crate::limits::MAX_SEGMENTS;
 
-/// A corner of a polyline and the bulge of its segment: the tangent of a quarter of its angle.
+/// A corner of a polyline and its segment.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     pub(super) at: Point,
+    /// The tangent of a quarter of the angle of its arc; 0 for a straight segment.
     pub(super) bulge: f64,
+    /// The widths at the start and the end of the segment.
+    pub(super) widths: [f64; 2],
 }
 
 impl Corner {
-    /// The corners given by consecutive pairs.
+    /// The corners given by consecutive pairs. All segments have the width 43, or else each its own
+    /// (40 and 41).
     pub(super) fn all(pairs: &[Pair<'_>]) -> Result<Vec<Self>, SourceError> {
         let mut corners: Vec<Self> = Vec::new();
+        let mut width = 0.0;
         for pair in pairs {
             match (pair.code, corners.last_mut()) {
+                (43, None) => width = pair.number()?,
                 (10, _) => corners.push(Self {
                     at: Point::new(pair.number()?, 0.0),
                     bulge: 0.0,
+                    widths: [width; 2],
                 }),
                 (20, Some(last)) => last.at.y = pair.number()?,
+                (40, Some(last)) => last.widths[0] = pair.number()?,
+                (41, Some(last)) => last.widths[1] = pair.number()?,
                 (42, Some(last)) => last.bulge = pair.number()?,
                 _ => {}
             }
@@ -112,8 +121,7 @@ impl EntityRenderer<'_, '_> {
     ) -> Result<(), SourceError> {
         let corners = Corner::all(&entity.pairs)?;
         let is_closed = entity.flags(70)? & 1 != 0;
-        let points = self.bulged(entity, frame, &corners, is_closed)?;
-        self.sketch.stroke(points)
+        self.wide_polyline(entity, frame, &corners, is_closed)
     }
 
     /// The older polyline, with its corners as entities.
@@ -128,17 +136,21 @@ impl EntityRenderer<'_, '_> {
             return self.old_mesh(entity, vertices, frame);
         }
         let mut corners = Vec::new();
+        let widths = [entity.number_or(40, 0.0)?, entity.number_or(41, 0.0)?];
         for &span in vertices {
             let vertex = Entity::read(entity.text, span)?;
             if vertex.flags(70)? & SPLINE_CONTROL == 0 {
                 corners.push(Corner {
                     at: vertex.point(10)?,
                     bulge: vertex.number_or(42, 0.0)?,
+                    widths: [
+                        vertex.number_or(40, widths[0])?,
+                        vertex.number_or(41, widths[1])?,
+                    ],
                 });
             }
         }
-        let points = self.bulged(entity, frame, &corners, flags & 1 != 0)?;
-        self.sketch.stroke(points)
+        self.wide_polyline(entity, frame, &corners, flags & 1 != 0)
     }
 
     /// Draws the line through corners, with arcs for bulges.
@@ -186,6 +198,15 @@ impl EntityRenderer<'_, '_> {
             &placed,
             &entity.numbers(41)?,
         )?;
+        let is_open = points
+            .first()
+            .zip(points.last())
+            .is_some_and(|(a, b)| a.distance(*b) > SAME_MM);
+        if is_open && entity.flags(70)? & CLOSED_SPLINE != 0 {
+            let instead =
+                "drawn open, as its control points are, although it is flagged as closed (70)";
+            self.sketch.warn(entity.at, "unclosed spline", instead);
+        }
         self.sketch.stroke(points)
     }
 
@@ -308,18 +329,22 @@ pub(super) fn span_rad(from_deg: f64, to_deg: f64) -> [f64; 2] {
     [from_deg, sweep_deg].map(f64::to_radians)
 }
 
-/// The arc of a corner with a bulge: four times the arc tangent of the bulge.
+/// The center of the arc of a corner with a bulge, and its sweep: four times the arc tangent of the bulge.
 ///
 /// ```text
 ///   bulge = tan(angle / 4)     the center lies at chord (1 / bulge - bulge) / 4 beside the
 ///                              middle of the chord, to the left where the bulge is above 0
 /// ```
-fn bulge_arc(frame: Affine, from: &Corner, to: Point) -> Arc {
+pub(super) fn bulge_center(from: &Corner, to: Point) -> (Point, f64) {
     let chord = to - from.at;
-    let center = from.at.midpoint(to) + chord.turn_90() * ((1.0 / from.bulge - from.bulge) / 4.0);
+    let beside = chord.turn_90() * ((1.0 / from.bulge - from.bulge) / 4.0);
+    (from.at.midpoint(to) + beside, 4.0 * from.bulge.atan())
+}
+
+fn bulge_arc(frame: Affine, from: &Corner, to: Point) -> Arc {
+    let (center, sweep_rad) = bulge_center(from, to);
     let out = from.at - center;
     let (across, along) = (way(frame, out), way(frame, out.turn_90()));
-    let sweep_rad = 4.0 * from.bulge.atan();
     Arc::ellipse(frame * center, across, along, 0.0, sweep_rad)
 }
 

@@ -4,9 +4,11 @@ mod blocks;
 mod dashes;
 mod far;
 mod hiding;
+mod mistakes;
 mod multilines;
 mod patterns;
 mod text;
+mod wide;
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -16,6 +18,7 @@ use dobot_geometry::{Point, Stroke, bounds_of_strokes};
 use proptest::prelude::*;
 
 use super::*;
+use crate::source::refuse_mistakes;
 
 /// A file from pairs written in a line: `0 LINE 10 1.5`, in millimetres.
 fn file(tables: &str, blocks: &str, entities: &str) -> String {
@@ -50,9 +53,11 @@ fn corners(artwork: &Artwork) -> Vec<Vec<(f64, f64)>> {
     strokes.map(corners).collect()
 }
 
+/// The error of a file in which no mistake is allowed.
 fn error(text: &[u8]) -> String {
     let read = super::read(text, &ReadOptions::default());
-    read.unwrap_err().to_string()
+    let refused = read.and_then(|(_, warnings)| refuse_mistakes(&warnings));
+    refused.unwrap_err().to_string()
 }
 
 #[test]
@@ -148,14 +153,12 @@ fn a_drawing_far_from_its_origin_is_drawn_in_place() {
 }
 
 #[test]
-fn an_object_far_from_the_drawing_is_refused_with_both_places() {
-    let text = file(
-        "",
-        "",
-        "0 POINT 10 3 20 4 0 POINT 10 3000000 20 0 0 POINT 10 5 20 5",
-    );
-    let message = "33:1: found an object at (3000000, 0) mm, far from that at 27:1; expected all objects within 1000000 mm; delete objects far away from the drawing";
-    assert_eq!(error(text.as_bytes()), message);
+fn an_object_far_from_the_drawing_is_left_out_with_its_place() {
+    let (artwork, warnings) =
+        draw("0 LINE 10 3 20 4 11 13 21 4 0 POINT 10 3000000 20 0 0 POINT 10 5 20 5");
+    assert_eq!(artwork.width_mm, 10.0);
+    let message = "37:1: leads to (3000000, 0) mm; at most 1000000 mm from the origin are allowed: its object is left out";
+    assert_eq!(warnings, [message]);
 }
 
 #[test]
@@ -844,14 +847,16 @@ fn lines_may_end_as_on_old_macs() {
 }
 
 #[test]
-fn a_truncated_file_is_refused() {
+fn a_truncated_file_is_refused_or_its_end_is_reported() {
     let text = file(
         "",
         "0 BLOCK 2 a 0 POINT 10 0 20 0 0 ENDBLK",
         "0 INSERT 2 a 10 0 20 0 0 LINE 10 0 20 0 11 9 21 0 0 TEXT 10 0 20 0 40 1 1 a%%d 0 MTEXT 10 0 20 0 40 1 1 a\\Pb",
     );
     for end in 0..text.len() - 1 {
-        super::read(&text.as_bytes()[..end], &ReadOptions::default()).unwrap_err();
+        if let Ok((_, warnings)) = super::read(&text.as_bytes()[..end], &ReadOptions::default()) {
+            refuse_mistakes(&warnings).unwrap_err();
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Blocks of G-code: the words of a line.
 
+use super::subroutine::{self, Subroutines};
 use crate::error::SourceError;
 use crate::number::{decimal, real};
 use crate::place::beginning;
@@ -7,6 +8,8 @@ use crate::place::beginning;
 /// A block: its G and M codes in order, and the values of its other letters.
 #[derive(Debug, Default)]
 pub(super) struct Block {
+    /// The position of its line.
+    pub(super) begin: usize,
     /// The position of its first word.
     pub(super) at: usize,
     /// Codes in tenths with their positions: `G90.1` is 901.
@@ -28,7 +31,7 @@ pub(super) struct Block {
 impl Block {
     /// Clears the block and sets its position.
     fn begin(&mut self, at: usize) {
-        self.at = at;
+        (self.begin, self.at) = (at, at);
         self.g.0.clear();
         self.m.0.clear();
         (self.is_setting, self.is_real_time, self.is_optional) = (false, false, false);
@@ -125,21 +128,33 @@ impl Codes {
     }
 }
 
-/// Passes on the lines with words one by one, in one reused block: a file has millions of them.
+/// Passes on at most `most` lines with words one by one, in one reused block: a file has millions
+/// of them. Subroutines are passed on where they are called. Returns the number of lines before
+/// the first error, and the error.
 pub(super) fn each(
     text: &[u8],
+    most: usize,
     mut hand_on: impl FnMut(&Block) -> Result<(), SourceError>,
-) -> Result<(), SourceError> {
+) -> (usize, Result<(), SourceError>) {
     let at = beginning(text);
     let mut lines = BlockLexer { text, at };
     let mut block = Block::default();
-    while lines.at < text.len() {
-        lines.line(&mut block)?;
-        if !block.is_empty() || block.is_setting || block.is_real_time {
-            hand_on(&block)?;
+    let mut subroutines = Subroutines::new(text);
+    let mut count = 0;
+    while lines.at < text.len() && count < most {
+        let read = lines.line(&mut block).and_then(|()| {
+            lines.at = subroutines.next(lines.at, &block)?;
+            if block.is_empty() && !block.is_setting && !block.is_real_time {
+                return Ok(());
+            }
+            hand_on(&block)
+        });
+        if read.is_err() {
+            return (count, read);
         }
+        count += 1;
     }
-    Ok(())
+    (count, Ok(()))
 }
 
 struct BlockLexer<'a> {
@@ -174,7 +189,7 @@ impl BlockLexer<'_> {
                     self.at += 1;
                 }
                 b'*' => self.checksum(begin)?,
-                b'O' | b'o' | b':' if block.is_empty() => self.program_number()?,
+                b'O' | b'o' | b':' if block.is_empty() => self.program_number(block)?,
                 _ => self.word(block)?,
             }
         }
@@ -204,21 +219,22 @@ impl BlockLexer<'_> {
 
     /// Whether only a comment follows this character.
     fn is_last_word(&self) -> bool {
-        let mut rest = self.text[self.at + 1..].iter();
-        let next = rest.find(|rest| !b" \t".contains(rest));
-        next.is_none_or(|next| b"\r\n(;".contains(next))
+        ends_line(&self.text[self.at + 1..])
     }
 
-    /// Skips `O1234` or `:1234` with at most a comment: the name of the program. With another word
-    /// it is a subroutine.
-    fn program_number(&mut self) -> Result<(), SourceError> {
+    /// Skips `O1234` or `:1234` with at most a comment, the name of the program, or the words of a
+    /// subroutine.
+    fn program_number(&mut self, block: &mut Block) -> Result<(), SourceError> {
         let at = self.at;
+        if let Some(line) = subroutine::words(&self.text[at..]) {
+            block.at = at;
+            self.at += line.length;
+            return Ok(());
+        }
         let is_digit = |byte: &u8| byte.is_ascii_digit();
         let digits = self.text[at + 1..].iter().take_while(|byte| is_digit(byte));
         let end = at + 1 + digits.count();
-        let rest = &self.text[end..];
-        let next = rest.iter().find(|byte| !b" \t".contains(byte));
-        if end == at + 1 || !next.is_none_or(|after| b"\r\n(;".contains(after)) {
+        if end == at + 1 || !ends_line(&self.text[end..]) {
             return Err(self.found(at, WORD));
         }
         self.at = end;
@@ -286,6 +302,12 @@ impl BlockLexer<'_> {
     }
 }
 
+/// Whether only a comment precedes the end of the line.
+pub(super) fn ends_line(rest: &[u8]) -> bool {
+    let next = rest.iter().find(|byte| !b" \t".contains(byte));
+    next.is_none_or(|next| b"\r\n(;".contains(next))
+}
+
 /// Whether a number continues with an exponent, as in `X1e-05`. `X1E5` has a word E after X: that
 /// of an extruder.
 fn has_exponent(word: &[u8], after: &[u8]) -> bool {
@@ -318,4 +340,4 @@ fn comment_end(line: &[u8]) -> Option<usize> {
 }
 
 const NUMBER: &str = "a number from -1e9 to 1e9";
-const WORD: &str = "a word such as G1 or X-2.5 (variables, formulas and subroutines are not supported; expand them in the program that made the file)";
+const WORD: &str = "a word such as G1 or X-2.5 (variables, formulas, loops and conditions are not supported; expand them in the program that made the file)";

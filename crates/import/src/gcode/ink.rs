@@ -3,6 +3,7 @@
 use super::ink_rule::InkRule;
 use super::laser::LaserSwitch;
 use super::machine::{Move, MoveKind, ToolState};
+use super::ramp;
 use super::servo::ServoCode;
 use crate::arc::Arc;
 use crate::artwork::Layer;
@@ -43,7 +44,21 @@ impl<'s, 'a> Inker<'s, 'a> {
         }
     }
 
+    /// Draws a move; a ramp through the height of the paper only where the pen is down.
     pub(super) fn draw(&mut self, motion: &Move) -> Result<(), SourceError> {
+        let paper_mm = match self.rule {
+            InkRule::Height { below_mm, .. } => below_mm,
+            InkRule::HighPen { above_mm } => above_mm,
+            _ => return self.draw_part(motion),
+        };
+        let parts = ramp::parts(motion, paper_mm);
+        parts
+            .iter()
+            .flatten()
+            .try_for_each(|part| self.draw_part(part))
+    }
+
+    fn draw_part(&mut self, motion: &Move) -> Result<(), SourceError> {
         if motion.kind == MoveKind::Drill && !matches!(self.rule, InkRule::Height { .. }) {
             let instead = "left out, because Z does not lift the pen";
             self.sketch.warn(motion.at, "drilled hole", instead);
@@ -53,6 +68,10 @@ impl<'s, 'a> Inker<'s, 'a> {
         self.has_moved |= !is_still;
         // A waiting tool may continue from here: only a dot would be burned.
         let inks = self.inks(motion) && (is_still || !self.stays_dark(motion));
+        if !inks && motion.is_line() && motion.has_power_word && motion.laser.is_switched_off() {
+            let instead = "left out, because M5 or M107 is active there; put M3 or M4 before it";
+            self.sketch.warn(motion.at, "powered line", instead);
+        }
         match (inks, is_still) {
             (true, true) => {
                 self.stand(motion);

@@ -8,6 +8,8 @@ use super::servo::{ServoCode, ServoStatistics, UpSource};
 use super::spindle::SpindleStatistics;
 use super::switch::SwitchStatistics;
 use super::zero::ZeroStatistics;
+use crate::options::{GcodeTool, ReadOptions};
+use crate::warning::Warnings;
 
 /// The rule of drawing moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,38 +57,65 @@ pub(super) enum HeightSource {
 }
 
 impl InkRule {
-    /// The warning about an ambiguous file: what it contains and how it was read.
-    pub(super) fn assumed(self) -> Option<(&'static str, String)> {
+    /// Reports the rule: as a note, or as a warning if the file is ambiguous.
+    pub(super) fn report(self, warnings: &mut Warnings<'_>, gcode: Option<GcodeTool>) {
+        let Some((what, draws)) = self.decision() else {
+            return;
+        };
+        if self.is_clear() {
+            warnings.note(what, &draws);
+        } else if gcode.is_some() {
+            warnings.add(None, what, &draws);
+        } else {
+            let draws = format!("{draws}; what.gcode chooses laser, pen or mill instead");
+            warnings.add(None, what, &draws);
+        }
+    }
+
+    /// Whether the file can hardly mean anything else.
+    const fn is_clear(self) -> bool {
         match self {
-            Self::Laser { is_at_heights, .. } => {
-                let draws =
-                    "everything with the laser on (M3, M4 or M106) is burned, at any Z".to_owned();
-                is_at_heights.then_some(("laser at several heights", draws))
-            }
-            Self::Height { below_mm, source } => source.assumed(below_mm),
+            Self::Laser { is_at_heights, .. } => !is_at_heights,
+            Self::Height { source, .. } => matches!(source, HeightSource::Zero),
+            _ => false,
+        }
+    }
+
+    /// What the file is, and which moves draw; `None` if [nothing](Self::nothing) does.
+    fn decision(self) -> Option<(&'static str, String)> {
+        let (what, draws) = match self {
+            Self::Laser { is_at_heights, .. } if is_at_heights => (
+                "laser at several heights",
+                "everything with the laser on (M3, M4 or M106) draws, at any Z",
+            ),
+            Self::Laser { .. } => (
+                "G-code for a laser",
+                "G1, G2 and G3 draw while M3, M4 or M106 is active with S above 0",
+            ),
+            Self::Height { below_mm, source } => return Some(source.decision(below_mm)),
             Self::HighPen { above_mm } => {
                 let draws = format!("drawn where Z is above {above_mm:.2} mm");
-                Some(("file with travels (G0) below its lines", draws))
+                return Some(("file with travels (G0) below its lines", draws));
             }
-            Self::Switch => {
-                let draws = "G1, G2 and G3 draw while M3, M4 or M106 is active".to_owned();
-                Some(("file without powers (S)", draws))
-            }
+            Self::Switch => (
+                "file without powers (S)",
+                "G1, G2 and G3 draw while M3, M4 or M106 is active",
+            ),
             Self::Servo { code, up, source } => {
                 let draws = format!("S{up} read as pen up, {}", source.reason());
-                Some((code.what(), draws))
+                return Some((code.what(), draws));
             }
-            Self::Plain { has_switch } => {
-                let draws = "G1, G2 and G3 draw, G0 travels".to_owned();
-                let what = if has_switch {
-                    "file with ambiguous pen commands (M3, M5 or S)"
-                } else {
-                    "file without commands for a laser or a pen (M3, Z)"
-                };
-                Some((what, draws))
-            }
-            Self::Dark => None,
-        }
+            Self::Plain { has_switch } if has_switch => (
+                "file with ambiguous pen commands (M3, M5 or S)",
+                "G1, G2 and G3 draw, G0 travels",
+            ),
+            Self::Plain { .. } => (
+                "file without commands for a laser or a pen (M3, Z)",
+                "G1, G2 and G3 draw, G0 travels",
+            ),
+            Self::Dark => return None,
+        };
+        Some((what, draws.to_owned()))
     }
 
     /// The reason why there is no ink.
@@ -99,37 +128,37 @@ impl InkRule {
             Self::Height { .. } | Self::HighPen { .. } => "no move with the pen down",
             Self::Servo { .. } => "no move with the servo down",
             Self::Plain { .. } => "no moves by G1, G2 or G3",
-            Self::Dark => {
+            Self::Dark if burns => {
                 "the laser has no power in any line (M3, M4 or M106, and S above 0 if the file uses S)"
+            }
+            Self::Dark => {
+                "the file is for a laser that has no power in any line (M3, M4 or M106, and S above 0); what.gcode pen draws it"
             }
         }
     }
 }
 
 impl HeightSource {
-    fn assumed(self, below_mm: f64) -> Option<(&'static str, String)> {
-        let draws = || format!("drawn where Z is below {below_mm:.2} mm");
+    fn decision(self, below_mm: f64) -> (&'static str, String) {
         let lowest_mm = match self {
             Self::Lowest => below_mm - SAME_HEIGHT_MM,
             _ => below_mm,
         };
-        Some(match self {
-            Self::Zero => return None,
+        let what = match self {
+            Self::Zero => "G-code for a pen or a mill",
             Self::AboveZero => {
-                let draws = "left out, because only lines below Z 0 are drawn".to_owned();
-                ("file with lines at Z 0", draws)
+                let draws = "left out, because only lines below Z 0 are drawn";
+                return ("file with lines at Z 0", draws.to_owned());
             }
             Self::AtZero => {
-                let draws =
-                    "drawn like those below, because the tool moves down to them".to_owned();
-                ("file with lines at Z 0", draws)
+                let draws = "drawn like those below, because the tool moves down to them";
+                return ("file with lines at Z 0", draws.to_owned());
             }
-            Self::BelowZero => ("file with all lines below Z 0", draws()),
-            Self::Rapids | Self::Lowest if lowest_mm < 0.0 => {
-                ("file with travels below Z 0", draws())
-            }
-            Self::Rapids | Self::Lowest => ("file without moves below Z 0", draws()),
-        })
+            Self::BelowZero => "file with all lines below Z 0",
+            Self::Rapids | Self::Lowest if lowest_mm < 0.0 => "file with travels below Z 0",
+            Self::Rapids | Self::Lowest => "file without moves below Z 0",
+        };
+        (what, format!("drawn where Z is below {below_mm:.2} mm"))
     }
 }
 
@@ -164,11 +193,14 @@ pub(super) struct MoveStatistics {
     m3: GrblServoStatistics,
     high: HighStatistics,
     switch: SwitchStatistics,
+    /// The largest S, in force or not.
+    most_power: f64,
 }
 
 impl MoveStatistics {
     pub(super) fn count(&mut self, motion: &Move) {
         self.all.count(motion.z_mm);
+        self.most_power = self.most_power.max(motion.laser.power.unwrap_or(0.0));
         if let Some(to_mm) = motion.z_mm {
             let from_mm = self.z_mm.replace(to_mm).unwrap_or(to_mm);
             let descends = motion.is_still() && from_mm - to_mm >= SAME_HEIGHT_MM;
@@ -213,49 +245,94 @@ impl MoveStatistics {
         }
     }
 
-    /// Infers the rule; `end` is the tool at the end of the program, and `laser` the state of the
-    /// laser there.
+    /// Chooses the rule; `end` is the tool and the laser at the end of the program.
     pub(super) fn rule(
         &self,
         text: &[u8],
-        end: &ToolState,
-        laser: LaserState,
-        burns: bool,
+        end: (ToolState, LaserState),
+        options: &ReadOptions,
     ) -> InkRule {
-        let full = self.full();
-        let has_power = full.is_some() || laser.power.is_none() && self.switch.has_on;
-        if burns && !laser.is_unknown() && !has_power && !self.is_drill() {
-            return InkRule::Dark;
-        }
-        let height = self.height();
-        // A pen that is raised with less S than lowered is drawn like a laser.
-        if height.is_none()
-            && self.travel_power() == 0.0
-            && let Some((up, source)) = self.m3.up(text, end)
-        {
-            let code = ServoCode::M3;
-            return InkRule::Servo { code, up, source };
-        }
+        let laser = end.1;
         let plain = InkRule::Plain {
             has_switch: !laser.is_unknown(),
         };
-        match full {
-            Some(most) if height.is_none() || !self.is_mill() => {
-                let burnt = self.burns();
-                let full = commented_full(text).unwrap_or_else(|| scale(most));
-                InkRule::Laser {
-                    full: full.max(most),
-                    travel: self.travel_power(),
-                    is_at_heights: burnt.lowest < burnt.highest,
-                }
-            }
-            None => {
-                let by_pen = self.servo(text, end).or(self.high.rule()).or(height);
-                let by_switch = by_pen.or(self.switch.rule(burns));
-                by_switch.or(self.lifted()).unwrap_or(plain)
-            }
-            Some(_) => height.unwrap_or(plain),
+        match options.gcode {
+            Some(GcodeTool::Laser) => self.laser(text, laser).unwrap_or(InkRule::Dark),
+            Some(GcodeTool::Pen) => self.pen(text, &end).unwrap_or(plain),
+            Some(GcodeTool::Mill) => self.height().or(self.lifted()).unwrap_or(plain),
+            None if self.has_no_power(laser, options.burns) => InkRule::Dark,
+            None => self.inferred(text, &end, options.burns).unwrap_or(plain),
         }
+    }
+
+    /// The rule of a file that does not say what it controls.
+    fn inferred(
+        &self,
+        text: &[u8],
+        (tool, laser): &(ToolState, LaserState),
+        burns: bool,
+    ) -> Option<InkRule> {
+        let height = self.height();
+        if height.is_none()
+            && let Some(servo) = self.grbl_servo(text, tool)
+        {
+            return Some(servo);
+        }
+        if self.full().is_some() {
+            let is_laser = height.is_none() || !self.is_mill();
+            return if is_laser {
+                self.laser(text, *laser)
+            } else {
+                height
+            };
+        }
+        let by_pen = self.servo(text, tool).or(self.high.rule()).or(height);
+        by_pen.or(self.switch.rule(burns)).or(self.lifted())
+    }
+
+    /// The rule of a file for a laser, if it is ever on with power.
+    fn laser(&self, text: &[u8], laser: LaserState) -> Option<InkRule> {
+        let Some(most) = self.full() else {
+            let is_switched = self.switch.has_on && laser.power.is_none();
+            return is_switched.then_some(InkRule::Switch);
+        };
+        let burnt = self.burns();
+        let full = commented_full(text).unwrap_or_else(|| scale(most));
+        Some(InkRule::Laser {
+            full: full.max(most),
+            travel: self.travel_power(),
+            is_at_heights: burnt.lowest < burnt.highest,
+        })
+    }
+
+    /// The rule of a file for a pen: lifted by a servo or by Z, or else by M3 and M5.
+    fn pen(&self, text: &[u8], (tool, laser): &(ToolState, LaserState)) -> Option<InkRule> {
+        let by_servo = self.grbl_servo(text, tool).or(self.servo(text, tool));
+        let by_height = by_servo.or(self.high.rule()).or(self.height());
+        let by_z = by_height.or(self.switch.rule(false)).or(self.lifted());
+        by_z.or_else(|| self.full().and_then(|_| self.laser(text, *laser)))
+    }
+
+    /// Whether a file for a laser never has power: the laser is never on, or each S is 0. The moves
+    /// of a pen may be meant nevertheless, unless M3 and S 0 say that they are not.
+    fn has_no_power(&self, laser: LaserState, burns: bool) -> bool {
+        let is_off = self.full().is_none() && (laser.power.is_some() || !self.switch.has_on);
+        if burns {
+            return is_off && !laser.is_unknown() && !self.is_drill();
+        }
+        let by_z = self.height().or(self.high.rule()).or(self.lifted());
+        let has_s0_only = laser.power.is_some() && self.most_power <= 0.0;
+        is_off && laser.is_on.is_some() && has_s0_only && by_z.is_none()
+    }
+
+    /// A pen that is raised with less S than lowered is drawn like a laser.
+    fn grbl_servo(&self, text: &[u8], tool: &ToolState) -> Option<InkRule> {
+        let (up, source) = self
+            .m3
+            .up(text, tool)
+            .filter(|_| self.travel_power() == 0.0)?;
+        let code = ServoCode::M3;
+        Some(InkRule::Servo { code, up, source })
     }
 
     /// The largest S with which a laser would burn.

@@ -18,6 +18,11 @@ impl LaserState {
         self.is_on.is_none() && self.power.is_none()
     }
 
+    /// Whether it has power, but M5 or M107 holds.
+    pub(super) fn is_switched_off(self) -> bool {
+        self.is_on == Some(false) && self.power.is_some_and(|s| s > 0.0)
+    }
+
     /// Whether the laser is on with power, where `end` is the state at the end of the program: M3,
     /// M4 or M106 is active with S above 0, or without S in a program that has none.
     fn has_power(self, end: Self) -> bool {

@@ -1,5 +1,7 @@
 //! The machine state that G-code modifies.
 
+use std::f64::consts::TAU;
+
 use dobot_geometry::{Point, Vec2};
 
 use super::arc::{center_by_radius, far_sides, sweep_rad};
@@ -19,12 +21,15 @@ pub(super) struct Move {
     pub(super) kind: MoveKind,
     pub(super) from: Point,
     pub(super) to: Point,
-    /// The height at its end, if known.
+    /// The heights at its start and its end, if known.
+    pub(super) from_z_mm: Option<f64>,
     pub(super) z_mm: Option<f64>,
     pub(super) tool: ToolState,
     pub(super) laser: LaserState,
     /// Whether M3 switched the tool on.
     pub(super) is_by_m3: bool,
+    /// Whether its line has an S.
+    pub(super) has_power_word: bool,
 }
 
 impl Move {
@@ -353,7 +358,7 @@ impl<'a, 'w> Machine<'a, 'w> {
 
     fn motion(&mut self, block: &Block) -> Result<Option<Move>, SourceError> {
         if block.g.has(40) {
-            return Ok(Some(self.moved(block, MoveKind::Dwell, self.at)));
+            return Ok(Some(self.moved(block, MoveKind::Dwell, self.at, self.z_mm)));
         }
         if block.g.first(&[920, 921, 922]).is_some() {
             return self.set_origin(block).map(|()| None);
@@ -378,7 +383,6 @@ impl<'a, 'w> Machine<'a, 'w> {
             _ if is_upright => self.upright_arc(block, to, z_mm.unwrap_or(0.0))?,
             _ => self.arc(block, to)?,
         };
-        self.z_mm = z_mm;
         if self.motion < 20 && block.has_any(b"IJR") {
             let places = b"IJR".iter().filter(|c| block.value(**c).is_some());
             let at = places
@@ -392,21 +396,23 @@ impl<'a, 'w> Machine<'a, 'w> {
             );
             return Err(self.found(at, found, expected));
         }
-        Ok(Some(self.moved(block, kind, to)))
+        Ok(Some(self.moved(block, kind, to, z_mm)))
     }
 
-    fn moved(&mut self, block: &Block, kind: MoveKind, to: Point) -> Move {
-        let from = self.at;
-        self.at = to;
+    fn moved(&mut self, block: &Block, kind: MoveKind, to: Point, z_mm: Option<f64>) -> Move {
+        let from = std::mem::replace(&mut self.at, to);
+        let from_z_mm = std::mem::replace(&mut self.z_mm, z_mm);
         Move {
             at: block.at,
             kind,
             from,
             to,
-            z_mm: self.z_mm,
+            from_z_mm,
+            z_mm,
             tool: self.tool,
             laser: self.laser,
             is_by_m3: self.is_by_m3,
+            has_power_word: block.value(b'S').is_some(),
         }
     }
 
@@ -467,11 +473,27 @@ impl<'a, 'w> Machine<'a, 'w> {
         let center = self.center(block, ends, origin, clockwise)?;
         let found = |found| self.found(block.at, found, "ends that fit the arc");
         let sweep_rad = sweep_rad(center, ends[0], ends[1], clockwise).map_err(found)?;
-        if let Some(turns) = block.value(b'P').filter(|&value| value != 1.0) {
-            let turns = format!("an arc of {turns} turns (P)");
-            return Err(self.found(block.place(b'P'), turns, "at most one turn"));
+        Ok((
+            center,
+            sweep_rad + self.further_turns_rad(block, clockwise)?,
+        ))
+    }
+
+    /// P: the number of turns that an arc begins.
+    fn further_turns_rad(&self, block: &Block, clockwise: bool) -> Result<f64, SourceError> {
+        let turns = block.value(b'P').unwrap_or(1.0);
+        let most = if self.plane == Plane::Xy {
+            MAX_TURNS
+        } else {
+            1.0
+        };
+        if turns.fract() != 0.0 || !(1.0..=most).contains(&turns) {
+            let found = format!("an arc of {turns} turns (P)");
+            let expected = format!("a whole number from 1 to {most}");
+            return Err(self.found(block.place(b'P'), found, &expected));
         }
-        Ok((center, sweep_rad))
+        let direction = if clockwise { -1.0 } else { 1.0 };
+        Ok(direction * TAU * (turns - 1.0))
     }
 
     fn center(
@@ -541,8 +563,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             (MoveKind::Drill, bottom_mm),
             (MoveKind::Rapid, up_mm),
         ] {
-            self.z_mm = Some(z_mm);
-            hand_on(&self.moved(block, kind, to))?;
+            hand_on(&self.moved(block, kind, to, Some(z_mm)))?;
         }
         Ok(())
     }
@@ -577,10 +598,8 @@ impl<'a, 'w> Machine<'a, 'w> {
         let homes = |letter| is_all || block.value(letter).is_some();
         let axis = |letter, here| if homes(letter) { 0.0 } else { here };
         let to = Point::new(axis(b'X', self.at.x), axis(b'Y', self.at.y));
-        if homes(b'Z') {
-            self.z_mm = None;
-        }
-        self.moved(block, MoveKind::Rapid, to)
+        let z_mm = self.z_mm.filter(|_| !homes(b'Z'));
+        self.moved(block, MoveKind::Rapid, to, z_mm)
     }
 
     /// G53: a move in machine coordinates, which the file does not define.
@@ -593,8 +612,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         };
         let to = Point::new(value(b'X', self.at.x), value(b'Y', self.at.y));
         let to = checked(self.text, block.at, to)?;
-        self.z_mm = None;
-        Ok(self.moved(block, MoveKind::Rapid, to))
+        Ok(self.moved(block, MoveKind::Rapid, to, None))
     }
 }
 
@@ -640,6 +658,8 @@ fn servo_angle(block: &Block) -> Option<f64> {
     s.filter(|_| block.m.has(3000) && block.value(b'P').is_none())
 }
 
+/// The largest number of turns of an arc.
+const MAX_TURNS: f64 = 1000.0;
 /// The S of M300 that relaxes a servo.
 const SERVO_OFF: f64 = 255.0;
 /// Letters of rotary axes, of secondary axes, and of the extruder.

@@ -1,8 +1,10 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod choice;
 mod heights;
 mod laser;
 mod servo;
+mod subroutines;
 
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write as _;
@@ -12,6 +14,8 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::artwork::Layer;
+use crate::source::refuse_mistakes;
+use crate::warning::WarningKind;
 
 /// The lines that a laser burns.
 fn draw(text: &str) -> (Artwork, Vec<String>) {
@@ -26,10 +30,23 @@ fn draw_by_pen(text: &str) -> (Artwork, Vec<String>) {
     draw_with(text, &options)
 }
 
+/// The drawing and its warnings, without notes and without the way to choose another rule.
 fn draw_with(text: &str, options: &ReadOptions) -> (Artwork, Vec<String>) {
     let (artwork, warnings) = super::read(text.as_bytes(), options).unwrap();
-    (artwork, warnings.iter().map(Warning::to_string).collect())
+    let warnings = warnings
+        .iter()
+        .filter(|warning| warning.kind != WarningKind::Note);
+    let plain = |warning: &Warning| warning.to_string().replace(CHOICE, "");
+    (artwork, warnings.map(plain).collect())
 }
+
+/// How the file is read.
+fn decision(text: &str, options: &ReadOptions) -> String {
+    let (_, warnings) = super::read(text.as_bytes(), options).unwrap();
+    warnings.last().unwrap().to_string()
+}
+
+const CHOICE: &str = "; what.gcode chooses laser, pen or mill instead";
 
 fn layers(text: &str) -> Vec<Layer> {
     draw(text).0.layers
@@ -44,22 +61,24 @@ fn corners_by_pen(text: &str) -> Vec<Vec<(f64, f64)>> {
     corners_of(&draw_by_pen(text).0)
 }
 
+fn rounded(mm: f64) -> f64 {
+    (mm * 1e6).round() / 1e6 + 0.0
+}
+
 fn corners_of(artwork: &Artwork) -> Vec<Vec<(f64, f64)>> {
-    let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
     let corners = |stroke: &Stroke| {
-        stroke
-            .points
-            .iter()
-            .map(|p| (round(p.x), round(p.y)))
-            .collect()
+        let points = stroke.points.iter();
+        points.map(|p| (rounded(p.x), rounded(p.y))).collect()
     };
     let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
     strokes.map(corners).collect()
 }
 
+/// The error of a file in which no mistake is allowed.
 fn error(text: &str) -> String {
     let read = super::read(text.as_bytes(), &ReadOptions::default());
-    read.unwrap_err().to_string()
+    let refused = read.and_then(|(_, warnings)| refuse_mistakes(&warnings));
+    refused.unwrap_err().to_string().replace(CHOICE, "")
 }
 
 /// The largest deviation of a layer's lines from the circle of this radius about the middle of a
@@ -424,6 +443,22 @@ fn circles_stay_within_the_tolerance_in_any_notation() {
 }
 
 #[test]
+fn arcs_of_several_turns_are_drawn_as_often() {
+    // A quarter and one more turn; two whole turns.
+    for (text, turns) in [
+        ("G0 X10\nG3 X0 Y10 I-10 P2", 1.25),
+        ("G0 X10\nG2 I-10 P2", 2.0),
+    ] {
+        let length = layers(text)[0].strokes[0].length_mm();
+        let expected = turns * 10.0 * TAU;
+        assert!(
+            (length - expected).abs() < 0.1,
+            "{text}: {length}, expected {expected}"
+        );
+    }
+}
+
+#[test]
 fn arcs_turn_in_the_given_direction() {
     // A quarter from the right to the top: short counterclockwise, three quarters clockwise.
     let length = |text: &str| layers(text)[0].strokes[0].length_mm();
@@ -503,7 +538,7 @@ fn programs_have_numbers_and_an_end_and_lasers_may_be_switched_in_moves() {
 #[test]
 #[expect(clippy::too_many_lines, reason = "a table")]
 fn codes_that_would_draw_something_else_are_refused_with_their_place() {
-    let word = "expected a word such as G1 or X-2.5 (variables, formulas and subroutines are not supported; expand them in the program that made the file)";
+    let word = "expected a word such as G1 or X-2.5 (variables, formulas, loops and conditions are not supported; expand them in the program that made the file)";
     for (text, expected) in [
         (
             "",
@@ -516,7 +551,7 @@ fn codes_that_would_draw_something_else_are_refused_with_their_place() {
         ("G1 X1\nG1 Xabc", &format!("2:4: found \"Xabc\"; {word}")),
         ("G1 X1,5", &format!("1:6: found \",5\"; {word}")),
         ("#1=5", &format!("1:1: found \"#1=5\"; {word}")),
-        ("o100 sub", &format!("1:1: found \"o100 sub\"; {word}")),
+        ("o100 if", &format!("1:1: found \"o100 if\"; {word}")),
         ("G1 X[1+2]", &format!("1:4: found \"X[1+2]\"; {word}")),
         ("G1 XNaN", &format!("1:4: found \"XNaN\"; {word}")),
         (
@@ -597,8 +632,8 @@ fn codes_that_would_draw_something_else_are_refused_with_their_place() {
             "1:7: found an arc given by its radius that ends at its start; expected a radius of at least half their distance",
         ),
         (
-            "G2 I5 P2",
-            "1:7: found an arc of 2 turns (P); expected at most one turn",
+            "G2 I5 P2.5",
+            "1:7: found an arc of 2.5 turns (P); expected a whole number from 1 to 1000",
         ),
         (
             "N1 G1 X1*5",

@@ -7,6 +7,7 @@ use super::encoded::{EncodedItem, items};
 use super::label::Labels;
 use super::line_type::LineTypes;
 use super::polygon::Polygon;
+use super::tick::Ticks;
 use super::transform::PlotTransform;
 use super::window::Window;
 use crate::artwork::Layer;
@@ -44,6 +45,8 @@ pub(super) struct Plotter<'a> {
     /// Whether chords of arcs are given by their deviation.
     pub(super) chords_by_deviation: bool,
     pub(super) polygon: Polygon,
+    /// The parts of ticks to the right or up, and to the left or down (TL).
+    pub(super) ticks: Ticks,
     pub(super) labels: Labels,
     pub(super) line_types: LineTypes,
     pub(super) window: Option<Window>,
@@ -79,10 +82,17 @@ impl<'a> Plotter<'a> {
             has_pattern: false,
             chords_by_deviation: false,
             polygon: Polygon::default(),
+            ticks: Ticks::default(),
             labels: Labels::default(),
             line_types: LineTypes::default(),
             window: None,
         }
+    }
+
+    /// Ends the plot at a mistake: the pen may not have been meant to touch the paper there.
+    pub(super) fn finish_early(mut self) -> Result<Sketch<'a>, SourceError> {
+        self.is_dot = false;
+        self.finish()
     }
 
     pub(super) fn finish(mut self) -> Result<Sketch<'a>, SourceError> {
@@ -141,6 +151,11 @@ impl<'a> Plotter<'a> {
             b"EP" | b"FP" => self.draw_polygon(command),
             b"LB" | b"BL" | b"PB" | b"CP" | b"SI" | b"SR" | b"DI" | b"DR" | b"SL" | b"ES"
             | b"LO" | b"SM" | b"CS" | b"CA" | b"SD" | b"AD" | b"DV" | b"TD" => self.text(command),
+            b"TL" => {
+                self.ticks = Ticks::of(&command.numbers);
+                Ok(())
+            }
+            b"XT" | b"YT" => self.tick(command),
             b"LT" => self.set_line_type(command),
             b"UL" => self.define_line_type(command),
             b"FT" => {
@@ -177,6 +192,7 @@ impl<'a> Plotter<'a> {
         self.has_pattern = false;
         self.chords_by_deviation = false;
         self.polygon = Polygon::default();
+        self.ticks = Ticks::default();
         self.reset_labels();
         self.reset_line_types()?;
         let mut transform = PlotTransform::DEFAULT;
@@ -465,9 +481,9 @@ const fn left_out(name: [u8; 2]) -> Option<&'static str> {
         | b"DC" | b"DP" | b"DS" | b"DT" | b"EC" | b"FR" | b"FS" | b"GC" | b"GM" | b"GP" | b"IM"
         | b"IV" | b"KY" | b"LA" | b"MC" | b"MG" | b"MT" | b"NP" | b"NR" | b"OA" | b"OC" | b"OD"
         | b"OE" | b"OF" | b"OH" | b"OI" | b"OK" | b"OL" | b"OO" | b"OP" | b"OS" | b"OT" | b"OW"
-        | b"PP" | b"PT" | b"PW" | b"QL" | b"RP" | b"SA" | b"SB" | b"SS" | b"ST" | b"TL" | b"TR"
-        | b"WD" | b"WU" | b"MU" | b"VN" => None,
-        b"XT" | b"YT" | b"UC" | b"SV" | b"RF" => Some("left out"),
+        | b"PP" | b"PT" | b"PW" | b"QL" | b"RP" | b"SA" | b"SB" | b"SS" | b"ST" | b"TR" | b"WD"
+        | b"WU" | b"MU" | b"VN" => None,
+        b"UC" | b"SV" | b"RF" => Some("left out"),
         _ => Some("unknown, left out"),
     }
 }

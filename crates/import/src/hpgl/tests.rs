@@ -11,6 +11,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::artwork::Layer;
+use crate::source::refuse_mistakes;
 
 fn draw(text: &str) -> (Artwork, Vec<String>) {
     let (artwork, warnings) = super::read(text.as_bytes(), &ReadOptions::default()).unwrap();
@@ -34,9 +35,11 @@ fn corners(text: &str) -> Vec<Vec<(f64, f64)>> {
     strokes(text).iter().map(corners).collect()
 }
 
+/// The error of a file in which no mistake is allowed.
 fn error(text: &[u8]) -> String {
     let read = super::read(text, &ReadOptions::default());
-    read.unwrap_err().to_string()
+    let refused = read.and_then(|(_, warnings)| refuse_mistakes(&warnings));
+    refused.unwrap_err().to_string()
 }
 
 #[test]
@@ -78,6 +81,66 @@ fn corners_in_percent_need_a_sheet_unless_they_only_shift_the_scale() {
     assert!(
         three.ends_with("found IR 1,2,3; expected x,y of P1, or of P1 and of P2, in percent"),
         "{three}"
+    );
+}
+
+#[test]
+fn everything_before_a_mistake_is_drawn_and_the_mistake_is_reported() {
+    let line = [[(0.0, 0.0), (10.0, 0.0)]];
+    for (mistake, place) in [
+        ("PD800,abc,7", "1:17: "),
+        ("PD;PD800,0,5;", "1:20: "),
+        (";5;PD800,800", "1:18: "),
+        ("LBwithout an end", "1:17: "),
+        ("PD;VS-1;", "1:20: "),
+        ("PD99999999,0", "1:17: "),
+    ] {
+        let text = format!("PU0,0;PD400,0;PU{mistake};PU;PD900,900");
+        let (artwork, warnings) = draw(&text);
+        let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
+        let ends =
+            strokes.map(|stroke| stroke.points.iter().map(|p| (p.x, p.y)).collect::<Vec<_>>());
+        assert_eq!(ends.collect::<Vec<_>>(), line, "{text}");
+        let [warning] = &warnings[..] else {
+            panic!("{text}: {warnings:?}");
+        };
+        assert!(
+            warning.ends_with(": the rest of the file is left out"),
+            "{warning}"
+        );
+        assert!(warning.starts_with(place), "{warning}");
+    }
+}
+
+#[test]
+fn encoded_lines_without_an_end_are_drawn_up_to_the_next_command() {
+    // 40 units to the right, twice: 80 in base 64 is 16 and 1.
+    let text = b"PU0,0;PE\x4f\xc0\xbf\x4f\xc0\xbfPUSP0;PG;";
+    let (artwork, warnings) = super::read(text, &ReadOptions::default()).unwrap();
+    let lengths = artwork.layers[0].strokes.iter().map(Stroke::length_mm);
+    assert_eq!(lengths.collect::<Vec<_>>(), [2.0]);
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
+}
+
+#[test]
+fn ticks_are_fractions_of_the_distance_between_the_corners() {
+    // P1 and P2 are 100 mm and 50 mm apart.
+    let of = |text: &str| corners(&format!("IP0,0,4000,2000;PU2000,1000;{text}"));
+    assert_eq!(of("TL4,2;XT"), [[(0.0, 3.0), (0.0, 0.0)]]);
+    assert_eq!(of("TL4,2;YT"), [[(0.0, 0.0), (6.0, 0.0)]]);
+    assert_eq!(of("TL4;XT"), [[(0.0, 2.0), (0.0, 0.0)]]);
+    assert_eq!(of("TL0,4;YT"), [[(0.0, 0.0), (4.0, 0.0)]]);
+    for default in ["XT", "TL9,9;TL;XT", "TL9,9;DF;PU2000,1000;XT"] {
+        assert_eq!(of(default), [[(0.0, 0.5), (0.0, 0.0)]], "{default}");
+    }
+    assert_eq!(of("TL4,2;RO90;PU2000,1000;XT"), [[(3.0, 0.0), (0.0, 0.0)]]);
+    // The pen stays where it is, down or up.
+    let line = of("TL4,0;PD;XT;PD2400,1000;");
+    assert_eq!(line, [[(0.0, 2.0), (0.0, 0.0)], [(0.0, 2.0), (10.0, 2.0)]]);
+    let (_, warnings) = draw("PU2000,1000;XT;YT");
+    assert_eq!(
+        warnings,
+        ["1:13: 2 sizeless ticks: drawn as for an A4 sheet (TL without IP)"]
     );
 }
 

@@ -8,6 +8,7 @@ use super::field::Field;
 use crate::artwork::Layer;
 use crate::error::SourceError;
 use crate::place::printable;
+use crate::sketch::Sketch;
 
 /// The settings of a layer.
 #[derive(Clone, Debug)]
@@ -110,19 +111,19 @@ impl Cut {
 pub(super) struct Cuts(BTreeMap<u32, Cut>);
 
 impl Cuts {
-    pub(super) fn read(file: &str, root: Node<'_, '_>) -> Result<Self, SourceError> {
+    /// Reads the settings; one with a mistake is reported and left out.
+    pub(super) fn read(
+        file: &str,
+        root: Node<'_, '_>,
+        sketch: &mut Sketch<'_>,
+    ) -> Result<Self, SourceError> {
         let mut cuts = BTreeMap::new();
-        for node in root
+        let settings = root
             .children()
-            .filter(|child| child.has_tag_name("CutSetting"))
-        {
-            let index = Field::value(node, "index").ok_or_else(|| {
-                let at = node.range().start;
-                let found = "a <CutSetting> without an <index>";
-                SourceError::found(file.as_bytes(), at, found, "<index Value=\"0\"/> in it")
-            })?;
-            let index = index.count(file)?;
-            cuts.insert(index, Cut::read(file, node, index)?);
+            .filter(|child| child.has_tag_name("CutSetting"));
+        for node in settings {
+            let read = numbered(file, node).map(|(index, cut)| _ = cuts.insert(index, cut));
+            sketch.skip_mistake(read, "the settings of its layer are left out")?;
         }
         let mut counts = HashMap::new();
         for cut in cuts.values() {
@@ -149,6 +150,17 @@ impl Cuts {
             .entry(index)
             .or_insert_with(|| Cut::default_of(index))
     }
+}
+
+/// A setting with the number of its layer.
+fn numbered(file: &str, node: Node<'_, '_>) -> Result<(u32, Cut), SourceError> {
+    let index = Field::value(node, "index").ok_or_else(|| {
+        let at = node.range().start;
+        let found = "a <CutSetting> without an <index>";
+        SourceError::found(file.as_bytes(), at, found, "<index Value=\"0\"/> in it")
+    })?;
+    let index = index.count(file)?;
+    Ok((index, Cut::read(file, node, index)?))
 }
 
 /// The name of a layer without a name in `LightBurn`.

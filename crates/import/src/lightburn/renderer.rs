@@ -86,7 +86,7 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
         };
         for shape in shapes_in(root) {
             self.counts[0] += 1;
-            self.shape(shape, pose)?;
+            self.shape_or_mistake(shape, pose)?;
         }
         Ok(())
     }
@@ -106,6 +106,12 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
             }
         }
         Ok(())
+    }
+
+    /// Draws a shape; one with a mistake is reported and left out.
+    fn shape_or_mistake(&mut self, shape: Node<'d, '_>, pose: Pose) -> Result<(), SourceError> {
+        let drawn = self.shape(shape, pose);
+        self.sketch.skip_mistake(drawn, "its shape is left out")
     }
 
     fn shape(&mut self, shape: Node<'d, '_>, pose: Pose) -> Result<(), SourceError> {
@@ -159,7 +165,7 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
             .children()
             .filter(|child| child.has_tag_name("Children"));
         for shape in lists.flat_map(shapes_in) {
-            self.shape(shape, pose)?;
+            self.shape_or_mistake(shape, pose)?;
         }
         Ok(())
     }

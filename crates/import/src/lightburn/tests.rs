@@ -10,6 +10,7 @@ use dobot_geometry::{Stroke, bounds_of_strokes};
 use proptest::prelude::*;
 
 use super::*;
+use crate::source::refuse_mistakes;
 
 /// A project with these elements.
 fn project(inside: &str) -> String {
@@ -51,9 +52,11 @@ fn draw(inside: &str) -> Artwork {
     artwork
 }
 
+/// The error of a project in which no mistake is allowed.
 fn error(text: &str) -> String {
     let read = super::read(text, &ReadOptions::default());
-    read.unwrap_err().to_string()
+    let refused = read.and_then(|(_, warnings)| refuse_mistakes(&warnings));
+    refused.unwrap_err().to_string()
 }
 
 fn strokes(artwork: &Artwork) -> Vec<&Stroke> {
@@ -90,6 +93,65 @@ fn same(found: f64, expected: f64, tolerance: f64) {
         off <= tolerance,
         "{found}, expected is {expected} within {tolerance}"
     );
+}
+
+#[test]
+fn shapes_with_a_mistake_are_left_out_and_reported() {
+    let square = |x: u32| {
+        shape(
+            "Type=\"Rect\" CutIndex=\"0\" W=\"2\" H=\"2\"",
+            &format!("1 0 0 1 {x} 0"),
+            "",
+        )
+    };
+    let bad = shape("Type=\"Rect\" CutIndex=\"0\" W=\"wide\" H=\"2\"", HERE, "");
+    let group = format!(
+        "<Shape Type=\"Group\"><XForm>{HERE}</XForm><Children>{bad}{}</Children></Shape>",
+        square(20)
+    );
+    let text = project(&(cut(0, "Cut", "") + &square(0) + &bad + &group));
+    let (artwork, warnings) = read_text(&text);
+    assert_eq!(artwork.width_mm, 22.0);
+    let found = "expected a number of at most 1e9 (first of 2): its shape is left out";
+    assert!(
+        warnings[0].starts_with("3:") && warnings[0].ends_with(found),
+        "{warnings:?}"
+    );
+    let settings = "<CutSetting type=\"Cut\"></CutSetting>".to_owned() + &square(0);
+    let (_, warnings) = read_text(&project(&settings));
+    assert!(
+        warnings[0].ends_with(": the settings of its layer are left out"),
+        "{warnings:?}"
+    );
+}
+
+#[test]
+fn a_project_that_is_cut_off_is_drawn_up_to_there() {
+    let square = |x: u32| {
+        shape(
+            "Type=\"Rect\" CutIndex=\"0\" W=\"2\" H=\"2\"",
+            &format!("1 0 0 1 {x} 0"),
+            "",
+        )
+    };
+    let text = project(&(cut(0, "Cut", "") + &square(0) + "\n" + &square(20) + "\n" + &square(40)));
+    let last = text.rfind("<Shape").unwrap();
+    for broken in [
+        &text[..last],
+        &text[..last + 9],
+        &text[..last + 60],
+        &text.replace("</Shape>\n</Light", "</Shap>\n</Light"),
+    ] {
+        let (artwork, warnings) = read_text(broken);
+        assert_eq!(artwork.width_mm, 22.0, "{broken}");
+        let found = warnings
+            .iter()
+            .find(|warning| warning.ends_with(": the rest of the file is left out"));
+        assert!(
+            found.is_some_and(|found| found.contains("not well-formed XML")),
+            "{warnings:?}"
+        );
+    }
 }
 
 #[test]

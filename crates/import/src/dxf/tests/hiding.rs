@@ -225,16 +225,17 @@ fn entities_hide_each_other_in_the_order_given_by_the_file() {
 }
 
 #[test]
-fn an_invalid_handle_is_refused() {
+fn an_invalid_handle_keeps_the_order_of_the_file() {
     let table = "0 SORTENTSTABLE 5 B1 331 A2 5 xyz";
     let text = with_objects("", LINE, table);
     let hides = ReadOptions {
         hides: true,
         ..ReadOptions::default()
     };
-    let error = super::super::read(text.as_bytes(), &hides).unwrap_err();
-    let message = "found \"xyz\" for group 5; expected a handle such as 1F";
-    assert!(error.to_string().contains(message), "{error}");
+    let (_, warnings) = super::super::read(text.as_bytes(), &hides).unwrap();
+    let message =
+        "found \"xyz\" for group 5; expected a handle such as 1F: the order of the file remains";
+    assert!(warnings[0].to_string().contains(message), "{warnings:?}");
 }
 
 #[test]

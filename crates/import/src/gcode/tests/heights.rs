@@ -17,7 +17,14 @@ fn a_spindle_that_turns_while_z_moves_up_and_down_is_not_a_laser() {
         "M3 S9\nG0 X10 Y10 Z5\nG1 Z-1\nG1 X30\nG1 X40 Z5\nG0 X60\nG1 Z-1\nG1 X80\nG0 Z5\nM5";
     assert_eq!(
         corners(ramps_out),
-        [[(0.0, 0.0), (20.0, 0.0)], [(50.0, 0.0), (70.0, 0.0)]]
+        [
+            vec![(0.0, 0.0), (20.0, 0.0), (20.0 + 10.0 / 6.0, 0.0)],
+            vec![(50.0, 0.0), (70.0, 0.0)]
+        ]
+        .map(|line| line
+            .iter()
+            .map(|&(x, y)| (rounded(x), y))
+            .collect::<Vec<_>>())
     );
     // It is off while another tool is put in.
     let tools = format!("T1 M6\n{by_g1}\nT2 M6\n{}", ramps_out.replace("Y10", "Y5"));
@@ -31,7 +38,8 @@ fn a_tool_that_is_off_during_travel_is_a_laser_even_if_its_z_moves_and_this_is_r
         corners(switched),
         [[(0.0, 0.0), (4.0, 0.0)], [(6.0, 0.0), (9.0, 0.0)]]
     );
-    let message = "1 laser at several heights: everything with the laser on (M3, M4 or M106) is burned, at any Z";
+    let message =
+        "1 laser at several heights: everything with the laser on (M3, M4 or M106) draws, at any Z";
     assert_eq!(draw(switched).1, [message]);
     let passes =
         "M4 S9\nG0 X0 Z0\nG1 X4\nG0 X0\nG1 Z-1\nG1 X4\nG0 X6 Z0\nG1 X9\nG0 X6\nG1 Z-1\nG1 X9";
@@ -83,8 +91,12 @@ fn lines_at_zero_among_lower_ones_are_drawn_if_the_tool_comes_down_to_them_or_el
     }
     let relief = "G0 Z5\nX-1 Y0\nG1 Z0\nX5\nX10 Z-0.2\nX20 Z0\nG0 Z5";
     let above = "G0 Z5\nX-1 Y0\nG1 Z0\nX5\nG1 Z-0.2\nX10\nG1 Z0\nX30\nG1 Z5";
-    for text in [relief, above] {
-        assert_eq!(corners(text), [[(0.0, 0.0), (5.0, 0.0)]], "{text}");
+    let below = [
+        vec![(0.0, 0.0), (5.0, 0.0), (15.0, 0.0)],
+        vec![(0.0, 0.0), (5.0, 0.0)],
+    ];
+    for (text, lines) in [relief, above].into_iter().zip(below) {
+        assert_eq!(corners(text), [lines], "{text}");
         assert_eq!(
             message(text),
             "1 file with lines at Z 0: left out, because only lines below Z 0 are drawn"
@@ -121,6 +133,46 @@ fn a_spindle_that_is_off_between_operations_is_still_one_if_it_turns_while_plung
     let laser = low.replace("M3 S9000\n", "");
     let laser = laser.replace("G1 Z-1 F100\n", "G1 Z-1 F100\nM3 S9\n");
     assert!(layers(&laser)[0].is_burned);
+}
+
+#[test]
+fn a_ramp_is_drawn_only_where_it_is_below_the_paper() {
+    // Z 5 to -2 over 20 mm is below 0 from 5 / 7 on.
+    let text = "G21 G90\nG0 Z5\nG0 X0 Y0\nG1 X21 Z-2 F100\nG1 X40\nG1 X61 Z5\nG0 X0 Y10\nG1 Z-2\nG1 Y20\nG0 Z5";
+    for burns in [true, false] {
+        let options = ReadOptions {
+            burns,
+            ..ReadOptions::default()
+        };
+        let lines = [
+            vec![(15.0, 20.0), (21.0, 20.0), (40.0, 20.0), (46.0, 20.0)],
+            vec![(0.0, 10.0), (0.0, 0.0)],
+        ];
+        assert_eq!(corners_of(&draw_with(text, &options).0), lines);
+    }
+    // Half of a half turn is below.
+    let helix = "G0 Z1\nG0 X10 Y0\nG3 X-10 I-10 Z-1\nG0 Z1";
+    let (artwork, _) = draw_by_pen(helix);
+    let length = artwork.layers[0].strokes[0].length_mm();
+    let expected = 5.0 * PI;
+    assert!(
+        (length - expected).abs() < 0.05,
+        "{length}, expected {expected}"
+    );
+    // A rapid move need not be straight.
+    let rapid = "G0 Z1\nG0 X0 Y0\nG1 Z-1\nG1 X10\nG0 X20 Z1";
+    assert_eq!(corners_by_pen(rapid), [[(0.0, 0.0), (10.0, 0.0)]]);
+    let high = "G1 Z0\nG0 X-5 Y0\nG0 X0\nG1 X10 Z4\nG1 X20\nG1 X30\nG1 X40 Z0\nG0 X50";
+    assert_eq!(
+        corners_by_pen(high),
+        [[
+            (0.0, 0.0),
+            (5.0, 0.0),
+            (15.0, 0.0),
+            (25.0, 0.0),
+            (30.0, 0.0)
+        ]]
+    );
 }
 
 #[test]

@@ -4,6 +4,7 @@ mod reference;
 
 use self::reference::{Reference, Words, program};
 use super::*;
+use crate::options::GcodeTool;
 
 const SWITCHED: &str = "G21 G90 F600\nG0 X0 Y0\nM3\nG1 X10\nM5\nG1 X20\nM3\nG1 X30\nM5\n";
 const DRY_RUN: &str = "G21 G90\nM4 S0\nG0 X0 Y0\nG1 X10 F600\nM5\n";
@@ -63,7 +64,7 @@ fn a_spindle_that_waits_or_plunges_burns_nothing_and_a_pen_draws_its_holes() {
     let holes = [[(0.0, 0.0)], [(10.0, 0.0)], [(20.0, 0.0)]];
     for (text, line) in [(HOLES, 11), (cycle, 5)] {
         let message = format!(
-            "nothing to draw: no line with the laser on; {line}:1: 3 holes: not burned, because Z and drilling cycles do not switch a laser on"
+            "nothing to draw: no line with the laser on; G-code for a pen or a mill: drawn where Z is below 0.00 mm; {line}:1: 3 holes: not burned, because Z and drilling cycles do not switch a laser on"
         );
         assert_eq!(error(text), message, "{text}");
         assert_eq!(corners_by_pen(text), holes, "{text}");
@@ -111,8 +112,15 @@ fn a_file_for_a_pen_is_burned_without_its_dots_and_travels() {
 
 /// The ink of a laser where the program has it.
 fn burned(text: &str) -> Vec<Stroke> {
+    ink(text, None, true)
+}
+
+/// The ink of a file read for this tool, where the program has it.
+fn ink(text: &str, gcode: Option<GcodeTool>, burns: bool) -> Vec<Stroke> {
     let options = ReadOptions {
         tolerance_mm: 0.02,
+        gcode,
+        burns,
         ..ReadOptions::default()
     };
     let (sketch, _) = sketch(text.as_bytes(), &options).unwrap();
@@ -128,9 +136,12 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(10_000))]
 
     #[test]
-    fn nothing_is_burned_while_the_file_switches_the_laser_off(text in program(Words::ANY)) {
+    fn nothing_is_burned_while_the_file_switches_the_laser_off(
+        text in program(Words::ANY),
+        gcode in prop::sample::select(vec![None, Some(GcodeTool::Laser), Some(GcodeTool::Pen), Some(GcodeTool::Mill)]),
+    ) {
         let reference = Reference::read(&text);
-        let strokes = burned(&text);
+        let strokes = ink(&text, gcode, true);
         for stroke in &strokes {
             if let [dot] = stroke.points[..] {
                 prop_assert!(reference.waits_at(dot), "dot at {dot:?} of\n{text}");
@@ -144,6 +155,15 @@ proptest! {
         }
         let (found, lit) = (length_mm(&strokes), reference.length_mm());
         prop_assert!(found <= lit * 1.01 + 1e-6, "{found} mm of {lit} mm of\n{text}");
+    }
+
+    #[test]
+    fn a_pen_draws_nothing_while_a_file_for_a_laser_switches_it_off(text in program(Words::ANY)) {
+        let reference = Reference::read(&text);
+        for (from, to) in ink(&text, Some(GcodeTool::Laser), false).iter().flat_map(Stroke::segments) {
+            let middle = from.midpoint(to);
+            prop_assert!(reference.burns_at(middle), "line {from:?} to {to:?} of\n{text}");
+        }
     }
 }
 
