@@ -142,7 +142,10 @@ impl Failure {
 /// Whether an error is an option that no drawing may have, or that does not fit what is drawn.
 fn is_invalid_option(cause: &(dyn std::error::Error + 'static)) -> bool {
     let error = cause.downcast_ref::<OptionsError>();
-    error.is_some_and(|error| !matches!(error, OptionsError::Prepare(_) | OptionsError::NoSurface))
+    error.is_some_and(|error| {
+        use OptionsError::{DoesNotFit, NoSurface, Prepare};
+        !matches!(error, DoesNotFit { .. } | Prepare(_) | NoSurface)
+    })
 }
 
 /// Prints an error and its hint.

@@ -70,3 +70,6 @@ impl Options {
         check::check(self, &subject.sources, &subject.title)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -20,6 +20,10 @@ pub struct Placement {
     pub area: Rect,
     /// The margin along its edges, in mm, at least 0.
     pub margin_mm: f64,
+    /// The space on each side of the drawing for border and crop marks, in mm.
+    pub around_mm: f64,
+    /// The additional space below the drawing for a signature, in mm.
+    pub below_mm: f64,
     /// The size of the drawing.
     pub size: Size,
     /// The rotation of the drawing on the paper, counterclockwise, in degrees.
@@ -117,21 +121,69 @@ impl Placement {
         if !(0.0..most_mm).contains(&margin_mm) {
             return Err(PlaceError::Margin { margin_mm, most_mm });
         }
-        Ok(sheet.room(margin_mm))
+        let Rect { x0, y0, x1, y1 } = sheet.room(margin_mm);
+        let taken = self.taken();
+        if taken.x >= x1 - x0 || taken.y >= y1 - y0 {
+            return Err(self.no_room(Vec2::new(x1 - x0, y1 - y0)));
+        }
+        let around_mm = self.around_mm;
+        let bottom = y1 - around_mm - self.below_mm;
+        Ok(Rect::new(
+            x0 + around_mm,
+            y0 + around_mm,
+            x1 - around_mm,
+            bottom,
+        ))
     }
 
-    /// Returns the centre: that of the area, or for a larger drawing the middle of the reachable
-    /// positions.
+    /// Returns width and height that the marks around the drawing take.
+    fn taken(&self) -> Vec2 {
+        let sides_mm = 2.0 * self.around_mm;
+        Vec2::new(sides_mm, sides_mm + self.below_mm)
+    }
+
+    fn no_room(&self, room: Vec2) -> PlaceError {
+        let taken = self.taken();
+        PlaceError::MarksTooLarge {
+            taken_mm: [taken.x, taken.y],
+            room_mm: [room.x, room.y],
+        }
+    }
+
+    /// Returns width and height of the room for the drawing before it is rotated; for odd angles,
+    /// as for the nearest quarter of a turn.
+    pub(crate) fn room_mm(&self) -> Result<Vec2, PlaceError> {
+        let room = match &self.sheet {
+            Some(sheet) => self.sheet_room(sheet)?.size().to_vec2(),
+            None => {
+                let [width, height] = self.room()?;
+                Vec2::new(width, height)
+            }
+        };
+        let is_on_its_side = (45.0..135.0).contains(&self.rotate_deg.rem_euclid(180.0));
+        Ok(if is_on_its_side {
+            Vec2::new(room.y, room.x)
+        } else {
+            room
+        })
+    }
+
+    /// Returns the centre of the drawing: with its marks in the middle of the area, or if they are
+    /// larger, of the reachable positions.
     fn middle(&self, ink: Rect, scale: f64) -> Point {
         let size = ink.size().to_vec2() * scale;
-        let is_larger = size.x > self.area.height() || size.y > self.area.width();
+        let whole = size + self.taken();
+        let is_larger = whole.x > self.area.height() || whole.y > self.area.width();
         let reached = self.reached(size).filter(|_| is_larger);
-        self.center.or(reached).unwrap_or(self.area.center())
+        let middle = reached.unwrap_or(self.area.center());
+        // A signature is closer to the arm than the drawing.
+        let above = Vec2::new(self.below_mm / 2.0, 0.0);
+        self.center.unwrap_or(middle + above)
     }
 
     /// Returns the middle of the positions in which the arm reaches a drawing of this size,
-    /// including margins. The base may turn by at most a quarter of a circle, because the servo
-    /// keeps the tool's direction.
+    /// including its marks and margins. The base may turn by at most a quarter of a circle, because
+    /// the servo keeps the tool's direction.
     ///
     /// ```text
     ///        far       .-----.
@@ -141,6 +193,7 @@ impl Placement {
     /// ```
     fn reached(&self, size: Vec2) -> Option<Point> {
         let [near, far] = self.reach?;
+        let size = size + self.taken();
         let margin_mm = 2.0 * self.margin_mm;
         let (half, deep) = (f64::midpoint(size.x, margin_mm), size.y + margin_mm);
         let first = near.max(half * QUARTER);
@@ -206,7 +259,11 @@ impl Placement {
         let margin_mm = self.margin_mm;
         let [wide, deep] = [self.area.height(), self.area.width()].map(|mm| mm - 2.0 * margin_mm);
         if margin_mm >= 0.0 && wide > 0.0 && deep > 0.0 {
-            return Ok([wide, deep]);
+            let taken = self.taken();
+            if taken.x >= wide || taken.y >= deep {
+                return Err(self.no_room(Vec2::new(wide, deep)));
+            }
+            return Ok([wide - taken.x, deep - taken.y]);
         }
         let most_mm = self.area.height().min(self.area.width()) / 2.0;
         Err(PlaceError::Margin { margin_mm, most_mm })
@@ -219,6 +276,8 @@ impl Default for Placement {
         Self {
             area: AREA,
             margin_mm: 0.0,
+            around_mm: 0.0,
+            below_mm: 0.0,
             size: Size::True,
             rotate_deg: 0.0,
             center: None,
@@ -268,6 +327,46 @@ pub enum PlaceError {
         /// The margin.
         margin_mm: f64,
         /// The margin at which no space is left.
+        most_mm: f64,
+    },
+    /// Border, crop marks and signature leave no space for the drawing.
+    #[error(
+        "border, crop marks and signature take {:.1} x {:.1} mm, and there are {:.1} x {:.1} mm; use a larger sheet, a smaller place.margin or place.gap, or leave one out",
+        taken_mm[0], taken_mm[1], room_mm[0], room_mm[1]
+    )]
+    MarksTooLarge {
+        /// Width and height of the marks.
+        taken_mm: [f64; 2],
+        /// Width and height inside the margin.
+        room_mm: [f64; 2],
+    },
+    /// The signature is wider than the sheet.
+    #[error(
+        "the signature is {width_mm:.1} mm wide, and there is room for {room_mm:.1} mm; use a shorter one, or a larger sheet"
+    )]
+    Signature {
+        /// Its width.
+        width_mm: f64,
+        /// The available width.
+        room_mm: f64,
+    },
+    /// The gaps of a grid leave no space for its cells.
+    #[error(
+        "the gaps of the grid take all of the {:.1} x {:.1} mm; use a smaller place.gap, or fewer cells in place.grid",
+        room_mm[0], room_mm[1]
+    )]
+    Gaps {
+        /// Width and height of the space.
+        room_mm: [f64; 2],
+    },
+    /// A text does not fit with the height of its letters.
+    #[error(
+        "the text does not fit in letters of {height_mm} mm; they may be {most_mm:.2} mm high; wrap it with what.wrap, or make it shorter"
+    )]
+    TextTooLarge {
+        /// The requested height of capitals.
+        height_mm: f64,
+        /// The height that fits.
         most_mm: f64,
     },
     /// There are more files than cells in the grid.

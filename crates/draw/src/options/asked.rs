@@ -5,20 +5,23 @@ use std::sync::Arc;
 use dobot_api::CalibrationFile;
 use dobot_arm::{Limits, Pose, Position, Unreachable};
 use dobot_geometry::Point;
-use dobot_import::{Align, Font, Shading, Source, SourceError, Text, system_fonts};
+use dobot_import::{Align, Font, Shading, Source, SourceError, Text, Wrap, system_fonts};
 use dobot_plan::{ArmLimits, DrawingTool, Laser, Paper, Pass, Pen};
 use dobot_wire::Dialect;
 
 use super::check::check;
 use super::{ContentOptions, Options, OptionsError, PassesBy, PlaceOptions, Spacing, ToolOptions};
 use crate::arm::calibrated::known_paper;
-use crate::layout::place::{AREA, Placement, Size};
+use crate::layout::marks::Marks;
+use crate::layout::place::{AREA, PlaceError, Placement, Size};
 use crate::layout::sheet::SheetPlace;
 use crate::layout::test_card::Card;
 use crate::material::{Material, Materials, UnknownMaterial};
 use crate::preparation::cancel::CancelToken;
 use crate::preparation::progress::Progress;
-use crate::prepare::{NamedSource, Prepared, Settings, prepare_multi_file, prepare_passes};
+use crate::prepare::{
+    NamedSource, PrepareError, Prepared, Settings, prepare_multi_file, prepare_passes,
+};
 use crate::strokes::cutting::Cutting;
 use crate::strokes::hatch::Hatch;
 
@@ -128,16 +131,20 @@ impl DrawingRequest {
         subject: Subject,
         materials: &Materials,
     ) -> Result<Self, OptionsError> {
-        let Subject { title, sources } = subject;
+        let Subject { title, mut sources } = subject;
         let material = material(&options.tool, materials)?;
         let tool = with_options(material.tool, &options.tool)?;
         check(&options, &sources, &title)?;
+        let placement = placement(&options, &sources)?;
+        wrap_texts(&mut sources, &options, &placement);
         let needs_fonts = sources.iter().any(|source| source.source.needs_fonts());
         let settings = Settings {
             tolerance_mm: options.way.tolerance,
-            placement: placement(&options, &sources)?,
+            placement,
             grid: options.place.grid,
             gap_mm: options.place.gap,
+            marks: marks(&options.place),
+            keeps_text_height: options.what.height.is_some(),
             tool,
             keeps_speed: options.tool.speed.is_some(),
             layers: options.what.layers,
@@ -217,13 +224,59 @@ impl DrawingRequest {
             },
             ..self.settings.clone()
         };
-        let tool = settings.tool.end_effector();
-        let reachable = |position| reachable(position, tool);
         let prepared = match &self.what {
-            Drawable::Sources(all) => prepare_multi_file(all, &settings, reachable),
-            Drawable::Passes(passes) => prepare_passes(passes.clone(), &settings, reachable),
+            Drawable::Sources(all) => prepare_multi_file(all, &settings, reach_of(&settings)),
+            Drawable::Passes(passes) => {
+                prepare_passes(passes.clone(), &settings, reach_of(&settings))
+            }
         };
-        Ok((prepared?, settings))
+        match prepared {
+            Ok(prepared) => Ok((prepared, settings)),
+            Err(PrepareError::Place(error)) => Err(self.misplaced(error, &settings)),
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// Adds the option with which the drawing would fit, if there is one, to an error.
+    fn misplaced(&self, error: PlaceError, settings: &Settings) -> OptionsError {
+        let may_fit = matches!(
+            error,
+            PlaceError::TooLarge { .. }
+                | PlaceError::BeyondSheet { .. }
+                | PlaceError::OutOfReach { .. }
+                | PlaceError::WayOutOfReach { .. }
+        );
+        let mut remedies = REMEDIES.iter().filter(|_| may_fit);
+        match remedies.find(|(change, _)| self.fits_with(*change, settings)) {
+            Some((_, remedy)) => OptionsError::DoesNotFit { error, remedy },
+            None => PrepareError::Place(error).into(),
+        }
+    }
+
+    /// Whether the drawing can be prepared with a change of its placement.
+    fn fits_with(&self, change: fn(&mut PlaceOptions), settings: &Settings) -> bool {
+        let Drawable::Sources(all) = &self.what else {
+            return false;
+        };
+        let mut options = self.options.clone();
+        change(&mut options.place);
+        let is_other = options.place != self.options.place;
+        if !is_other || check(&options, all, &self.title).is_err() {
+            return false;
+        }
+        let Ok(placement) = placement(&options, all) else {
+            return false;
+        };
+        let mut sources = all.clone();
+        wrap_texts(&mut sources, &options, &placement);
+        let settings = Settings {
+            placement,
+            // The order of the file takes no time to find.
+            tries: None,
+            progress: Progress::default(),
+            ..settings.clone()
+        };
+        prepare_multi_file(&sources, &settings, reach_of(&settings)).is_ok()
     }
 
     /// Returns the paper: through the touched points, at the given height, or at the arm's height.
@@ -352,6 +405,47 @@ fn placement(options: &Options, sources: &[NamedSource]) -> Result<Placement, Op
     })
 }
 
+fn marks(place: &PlaceOptions) -> Marks {
+    Marks {
+        border: place.border,
+        crop_marks: place.crop_marks,
+        signature: place.sign.clone(),
+    }
+}
+
+/// Wraps the texts among sources.
+fn wrap_texts(sources: &mut [NamedSource], options: &Options, placement: &Placement) {
+    let reserved = Placement {
+        around_mm: marks(&options.place).around_mm(options.place.gap),
+        ..*placement
+    };
+    let wrap = wrap(options, &reserved);
+    for named in sources {
+        if let Source::Text(text) = &mut named.source {
+            text.wrap = wrap;
+        }
+    }
+}
+
+/// Returns how texts are wrapped: at the requested width, or on a sheet at its margins. A text that
+/// is scaled by a factor is wrapped before.
+fn wrap(options: &Options, placement: &Placement) -> Option<Wrap> {
+    let Options { what, place, .. } = options;
+    let at_margins = || {
+        place.paper_size?;
+        // Without any room, the placement is refused.
+        let room = placement.room_mm().ok()?;
+        let columns = place.grid.map_or(1.0, |grid| f64::from(grid.columns));
+        let column_mm = (room.x - (columns - 1.0) * place.gap) / columns;
+        let scale = place.scale.filter(|_| what.height.is_none());
+        Some(column_mm / scale.unwrap_or(1.0))
+    };
+    Some(Wrap {
+        width_mm: what.wrap.or_else(at_margins)?,
+        justify: what.justify,
+    })
+}
+
 /// The height of a virtual arm's paper, also used for planning while no arm reports its height: Z,
 /// in mm.
 pub const WITHOUT_ARM_Z_MM: f64 = -40.0;
@@ -437,10 +531,40 @@ fn shading(options: &Options, tool: DrawingTool) -> Shading {
     }
 }
 
-fn reachable(position: Position, tool: dobot_arm::Tool) -> Result<(), Unreachable> {
-    let pose = Pose {
-        position,
-        rotation: position.direction(),
-    };
-    Limits::STOCK.solve(&pose, tool).map(|_| ())
+/// Returns the check whether the arm reaches a position with the tool of these settings.
+fn reach_of(settings: &Settings) -> impl Fn(Position) -> Result<(), Unreachable> + use<> {
+    let tool = settings.tool.end_effector();
+    move |position| {
+        let pose = Pose {
+            position,
+            rotation: position.direction(),
+        };
+        Limits::STOCK.solve(&pose, tool).map(|_| ())
+    }
 }
+
+/// Changes that may make a drawing fit, in the order in which they are tried, and the hints for
+/// them.
+const REMEDIES: [(fn(&mut PlaceOptions), &str); 5] = [
+    (
+        |place| place.landscape |= place.paper_size.is_some() && place.paper.is_none(),
+        "use `place.landscape`; then it fits",
+    ),
+    (
+        |place| {
+            if place.rotate == 0.0 {
+                place.rotate = 90.0;
+            }
+        },
+        "use `place.rotate 90`; then it fits",
+    ),
+    (
+        |place| place.fit |= place.scale.take().is_some(),
+        "use `place.fit` instead of `place.scale`; then it fits",
+    ),
+    (|place| place.fit = true, "use `place.fit`; then it fits"),
+    (
+        |place| place.clip = true,
+        "use `place.clip` to draw only the part that fits",
+    ),
+];
