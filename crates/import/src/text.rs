@@ -78,7 +78,41 @@ impl Text {
         options: &ReadOptions,
     ) -> Result<(Artwork, Vec<Warning>), SourceError> {
         self.check()?;
-        let (layer, warnings) = match &self.font {
+        let (layer, warnings) = self.fitted(options)?;
+        if layer.is_empty() {
+            return Err(nothing(&warnings));
+        }
+        Ok((on_page(layer), warnings))
+    }
+
+    /// Writes the text with all ink within the width of its lines: letters may extend beyond their
+    /// own width, as slanted ones do. A word that is wider than that stays as it is.
+    fn fitted(&self, options: &ReadOptions) -> Result<(Layer, Vec<Warning>), SourceError> {
+        let first = self.layer(options)?;
+        let Some(wrap) = self.wrap else {
+            return Ok(first);
+        };
+        let excess_mm = |layer: &Layer| bounds(layer.points()).width() - wrap.width_mm;
+        let excess = excess_mm(&first.0);
+        if excess <= 0.0 {
+            return Ok(first);
+        }
+        let mut narrower = self.clone();
+        let beyond_mm = BEYOND.map(|heights| heights * self.height_mm);
+        for shorter_mm in [1.001 * excess].into_iter().chain(beyond_mm) {
+            let width_mm = wrap.width_mm - shorter_mm;
+            narrower.wrap = Some(Wrap { width_mm, ..wrap });
+            let again = narrower.layer(options)?;
+            if excess_mm(&again.0) <= 0.0 {
+                return Ok(again);
+            }
+        }
+        Ok(first)
+    }
+
+    /// Writes the text anywhere.
+    fn layer(&self, options: &ReadOptions) -> Result<(Layer, Vec<Warning>), SourceError> {
+        Ok(match &self.font {
             Font::Stroke(font) => {
                 stroke::read(self, &Letters::BuiltIn(*font), options.tolerance_mm)?
             }
@@ -87,11 +121,7 @@ impl Text {
                 stroke::read(self, &font, options.tolerance_mm)?
             }
             Font::Outline(family) => outline::read(self, family, options)?,
-        };
-        if layer.is_empty() {
-            return Err(nothing(&warnings));
-        }
-        Ok((on_page(layer), warnings))
+        })
     }
 
     fn check(&self) -> Result<(), TextError> {
@@ -232,6 +262,8 @@ fn layer(text: &str) -> Layer {
 
 /// About ten pages, which the arm writes in days.
 const MAX_CHARACTERS: usize = 20_000;
+/// How far letters may extend beyond both ends of their line, in heights of capitals.
+const BEYOND: [f64; 2] = [0.25, 0.6];
 const LINE_SPACING: [f64; 2] = [0.5, 10.0];
 /// Handwriting: EMS Felix, by Sheldon B. Michaels, after Felipa by Fontstage (see
 /// `text/fonts/LICENSE-OFL`).

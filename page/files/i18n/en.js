@@ -194,6 +194,7 @@ export const en = {
   "draw.layers.nothing": "none",
   "draw.layers.color": "by colour",
   "draw.layers.group": "by group",
+  "draw.layers.width": "by line width",
   "draw.layer": "Pen or material for",
   "draw.hatch": "hatch filled areas",
   "draw.speed": "Speed",

@@ -195,6 +195,7 @@ export const zh = {
   "draw.layers.nothing": "不分层",
   "draw.layers.color": "按颜色",
   "draw.layers.group": "按组",
+  "draw.layers.width": "按线宽",
   "draw.layer": "笔或材料：",
   "draw.hatch": "填充区域画阴影线",
   "draw.speed": "速度",

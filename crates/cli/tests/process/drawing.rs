@@ -637,11 +637,11 @@ fn options_without_effect_are_reported() {
     for (arguments, expected) in [
         (
             &["draw", &square, "--gap", "9"][..],
-            "--gap has no effect without --grid or --text",
+            "--gap has no effect without --grid, --border, --sign or --text",
         ),
         (
             &["draw", "--text", "arm", "--gap", "9"],
-            "--gap has no effect without --grid, or a file above the text",
+            "--gap has no effect without --grid, --border, --sign, or a file above the text",
         ),
         (
             &["draw", &photo, "--shade", "stipple", "--levels", "3"],

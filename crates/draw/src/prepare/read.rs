@@ -114,11 +114,14 @@ impl PlacedPage {
         self.on_page.iter().map(|scale| scale * self.placed.scale)
     }
 
-    /// Returns the scale of the first file, or that of the text.
+    /// Returns the scale of the files, or that of the page if they differ.
     fn scale(&self, sources: &[NamedSource]) -> f64 {
-        let first = sources.iter().position(|source| !is_text(&source.source));
-        let scale = self.scales().nth(first.unwrap_or_default());
-        scale.unwrap_or(self.placed.scale)
+        let is_file = |source: &NamedSource| !is_text(&source.source);
+        let files = sources.iter().zip(self.scales());
+        let mut files = files.filter(|file| is_file(file.0)).map(|file| file.1);
+        let first = files.next();
+        let common = first.filter(|first| files.all(|scale| scale == *first));
+        common.unwrap_or(self.placed.scale)
     }
 
     /// Warns that the drawing is smaller than it should be.

@@ -25,7 +25,9 @@ pub enum TextError {
         found_mm: f64,
     },
     /// An SVG font cannot be read.
-    #[error("the SVG font cannot be used: {what}; export it again, or use another font")]
+    #[error(
+        "what.font is an SVG font that cannot be used: {what}; export it again, or use another font"
+    )]
     FontFile {
         /// What is wrong with it.
         what: String,

@@ -279,6 +279,37 @@ fn wrapped_lines_keep_their_height_within_the_width_and_justified_ones_fill_it()
 }
 
 #[test]
+fn slanted_letters_stay_within_the_width_too() {
+    for font in [
+        "sans", "bold", "script", "serif", "italic", "gothic", "hand",
+    ] {
+        for justify in [false, true] {
+            let wrap = Wrap {
+                width_mm: 60.0,
+                justify,
+            };
+            let text = Text {
+                font: Font::of(font),
+                wrap: Some(wrap),
+                ..Text::new("fjord jelly fluff joy of jazz for 4 Wolf Ford Taft if")
+            };
+            let (artwork, _) = read(&text);
+            assert!(artwork.width_mm <= 60.0, "{font}: {}", artwork.width_mm);
+            assert!((artwork.width_mm > 57.0) == justify || !justify, "{font}");
+            // A word that is too wide neither ends the loop nor the other lines early.
+            let wide = Text {
+                wrap: Some(Wrap {
+                    width_mm: 20.0,
+                    ..wrap
+                }),
+                ..text
+            };
+            assert!(read(&wide).0.width_mm > 20.0);
+        }
+    }
+}
+
+#[test]
 fn a_width_that_holds_no_line_is_refused() {
     for width_mm in [0.0, -1.0, f64::NAN, 1e9] {
         let message = error(&Text {

@@ -48,7 +48,9 @@ fn with_font(mut args: Args) -> Result<Args, Failure> {
     let font = &mut args.options.0.what.font;
     let is_file = |name: &&String| name.to_ascii_lowercase().ends_with(".svg");
     if let Some(name) = font.as_ref().filter(is_file) {
-        let text = String::from_utf8(read(Path::new(name))?);
+        let hint = "name an SVG font, an installed font, or one that `dobot draw --help` lists";
+        let bytes = read(Path::new(name)).map_err(|failure| failure.with_hint(hint))?;
+        let text = String::from_utf8(bytes);
         let text = text.with_context(|| format!("{name} is not a text in UTF-8"))?;
         *font = Some(text);
     }
