@@ -4648,8 +4648,8 @@ export interface components {
              */
             card_label: string | null;
             /**
-             * @description Split an SVG file into layers by color, outermost group or line width, other files by their
-             *     layers; each is drawn separately, and the arm waits for its pen
+             * @description Split an SVG file into layers by `color`, outermost `group` or line `width`, other files by
+             *     their layers; each is drawn separately, and the arm waits for its pen
              * @default null
              */
             layers: components["schemas"]["LayersBy"] | null;

@@ -120,6 +120,10 @@ impl Text {
                 let font = Letters::File(SvgFont::read(file)?);
                 stroke::read(self, &font, options.tolerance_mm)?
             }
+            Font::Outline(name) if name.to_ascii_lowercase().ends_with(".svg") => {
+                let what = format!("{name} is its name; give the content of the file");
+                return Err(TextError::FontFile { what }.into());
+            }
             Font::Outline(family) => outline::read(self, family, options)?,
         })
     }

@@ -155,10 +155,9 @@ impl Placement {
     pub(crate) fn room_mm(&self) -> Result<Vec2, PlaceError> {
         let room = match &self.sheet {
             Some(sheet) => self.sheet_room(sheet)?.size().to_vec2(),
-            None => {
-                let [width, height] = self.room()?;
-                Vec2::new(width, height)
-            }
+            None => self
+                .room()
+                .map(|[width, height]| Vec2::new(width, height))?,
         };
         let is_on_its_side = (45.0..135.0).contains(&self.rotate_deg.rem_euclid(180.0));
         Ok(if is_on_its_side {

@@ -543,9 +543,11 @@ fn reach_of(settings: &Settings) -> impl Fn(Position) -> Result<(), Unreachable>
     }
 }
 
-/// Changes that may make a drawing fit, in the order in which they are tried, and the hints for
-/// them.
-const REMEDIES: [(fn(&mut PlaceOptions), &str); 5] = [
+/// A change that may make a drawing fit, and the hint for it.
+type Remedy = (fn(&mut PlaceOptions), &'static str);
+
+/// The remedies in the order in which they are tried.
+const REMEDIES: [Remedy; 5] = [
     (
         |place| place.landscape |= place.paper_size.is_some() && place.paper.is_none(),
         "use `place.landscape`; then it fits",

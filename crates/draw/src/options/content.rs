@@ -42,8 +42,8 @@ pub struct ContentOptions {
     pub card_gap: Option<f64>,
     /// Label below the test card (default: the name of the material and the date)
     pub card_label: Option<String>,
-    /// Split an SVG file into layers by color, outermost group or line width, other files by their
-    /// layers; each is drawn separately, and the arm waits for its pen
+    /// Split an SVG file into layers by `color`, outermost `group` or line `width`, other files by
+    /// their layers; each is drawn separately, and the arm waits for its pen
     pub layers: Option<LayersBy>,
     /// Draw a layer with its own pen or material
     pub layer: Vec<LayerTool>,

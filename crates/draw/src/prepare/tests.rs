@@ -390,9 +390,8 @@ fn a_pen_draws_each_line_as_often_as_requested() {
 
 #[test]
 fn any_number_of_passes_needs_no_more_travel_than_one() {
-    let rows: String = (0..16)
-        .map(|row| format!("M10 {}H110", 10 + 4 * row))
-        .collect();
+    let rows = (0..16).map(|row| format!("M10 {}H110", 10 + 4 * row));
+    let rows = rows.collect::<Vec<_>>().concat();
     let svg = format!(
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="80mm" viewBox="0 0 120 80"><path d="{rows}" stroke="red"/></svg>"#
     );

@@ -25,9 +25,7 @@ pub enum TextError {
         found_mm: f64,
     },
     /// An SVG font cannot be read.
-    #[error(
-        "what.font is an SVG font that cannot be used: {what}; export it again, or use another font"
-    )]
+    #[error("what.font is an SVG font that cannot be used: {what}")]
     FontFile {
         /// What is wrong with it.
         what: String,

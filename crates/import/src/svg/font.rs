@@ -42,7 +42,9 @@ impl SvgFont {
         entities::check(text)?;
         let doc = xml::tree(text, true)?;
         let font = doc.descendants().find(|node| is_named(node, "font"));
-        let font = font.ok_or_else(|| damaged("it has no <font> element"))?;
+        let font = font.ok_or_else(|| {
+            damaged("it has no <font> element; export it as an SVG font, or use another one")
+        })?;
         let face = font.children().find(|node| is_named(node, "font-face"));
         let of_face = |name| face.and_then(|face| face.attribute(name));
         let name = of_face("font-family").or(font.attribute("id"));
@@ -71,7 +73,10 @@ impl SvgFont {
         let given = of_face("cap-height").and_then(number);
         let capital = font.capital().or(given).unwrap_or(CAPITALS_PER_EM * units);
         if !(capital > 0.0 && (CAPITAL / capital).is_finite()) {
-            return Err(damaged("its capitals have no height").into());
+            return Err(damaged(
+                "its capitals have no height; export it again, or use another one",
+            )
+            .into());
         }
         font.scale = CAPITAL / capital;
         Ok(font)
@@ -141,8 +146,11 @@ fn path(character: char, data: &str) -> Result<Option<Path>, TextError> {
     )]
     let single = |number: f64| number as f32;
     for segment in SimplifyingPathParser::from(data) {
-        let segment = segment
-            .map_err(|error| damaged(format!("the path of {character:?} is invalid: {error}")))?;
+        let segment = segment.map_err(|error| {
+            damaged(format!(
+                "the path of {character:?} is invalid: {error}; export it again, or use another one"
+            ))
+        })?;
         match segment {
             SimplePathSegment::MoveTo { x, y } => path.move_to(single(x), single(y)),
             SimplePathSegment::LineTo { x, y } => path.line_to(single(x), single(y)),
@@ -167,7 +175,7 @@ fn path(character: char, data: &str) -> Result<Option<Path>, TextError> {
     let is_finite = |path: &Path| path.bounds().width().is_finite();
     if path.is_none() && !data.trim().is_empty() || !path.as_ref().is_none_or(is_finite) {
         return Err(damaged(format!(
-            "the path of {character:?} has no finite extent"
+            "the path of {character:?} has no finite extent; export it again, or use another one"
         )));
     }
     Ok(path)

@@ -213,6 +213,10 @@ fn handwriting_is_included_and_other_svg_fonts_are_read_from_their_files() {
             "1 character: not in the Sticks letters, left out: \"x\"; use an installed font with --font"
         ]
     );
+    assert_eq!(
+        error(&text("Sticks.SVG", "H")),
+        "what.font is an SVG font that cannot be used: Sticks.SVG is its name; give the content of the file"
+    );
     let message = error(&text("<svg/>", "H"));
     assert!(message.contains("no <font> element"), "{message}");
 }

@@ -18,13 +18,13 @@ pub(super) struct Line {
 /// The lines of a text. `width_mm` measures a word or a run of spaces.
 pub(super) fn lines(text: &Text, mut width_mm: impl FnMut(&str) -> f64) -> Vec<Line> {
     let mut known = HashMap::<String, f64>::new();
-    let mut width_mm = |part: &str| match known.get(part) {
-        Some(width) => *width,
-        None => {
-            let width = width_mm(part);
-            known.insert(part.to_owned(), width);
-            width
+    let mut width_mm = |part: &str| {
+        if let Some(width) = known.get(part) {
+            return *width;
         }
+        let width = width_mm(part);
+        known.insert(part.to_owned(), width);
+        width
     };
     let paragraphs = text.text.lines();
     match text.wrap {
@@ -80,9 +80,9 @@ fn wrapped(paragraph: &str, wrap: Wrap, width_mm: &mut impl FnMut(&str) -> f64) 
         is_soft = piece.is_soft;
     }
     if wrap.justify {
-        lines
-            .iter_mut()
-            .for_each(|line| stretch(line, wrap, width_mm));
+        for line in &mut lines {
+            stretch(line, wrap, width_mm);
+        }
     }
     // The last line of a paragraph is not stretched.
     lines.push(Line::of(&text));
