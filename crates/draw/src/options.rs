@@ -8,6 +8,7 @@ mod error;
 mod fields;
 mod path;
 mod place;
+mod placement;
 mod tool;
 
 use schemars::JsonSchema;

@@ -5,16 +5,15 @@ use std::sync::Arc;
 use dobot_api::CalibrationFile;
 use dobot_arm::{Limits, Pose, Position, Unreachable};
 use dobot_geometry::Point;
-use dobot_import::{Align, Font, Shading, Source, SourceError, Text, Wrap, system_fonts};
+use dobot_import::{Align, Font, Shading, Source, SourceError, Text, system_fonts};
 use dobot_plan::{ArmLimits, DrawingTool, Laser, Paper, Pass, Pen};
 use dobot_wire::Dialect;
 
 use super::check::check;
+use super::placement::{center, marks, placement, wrap_texts};
 use super::{ContentOptions, Options, OptionsError, PassesBy, PlaceOptions, Spacing, ToolOptions};
 use crate::arm::calibrated::known_paper;
-use crate::layout::marks::Marks;
-use crate::layout::place::{AREA, PlaceError, Placement, Size};
-use crate::layout::sheet::SheetPlace;
+use crate::layout::place::PlaceError;
 use crate::layout::test_card::Card;
 use crate::material::{Material, Materials, UnknownMaterial};
 use crate::preparation::cancel::CancelToken;
@@ -385,119 +384,6 @@ fn card(options: &Options, tool: DrawingTool, spacing_mm: f64) -> Result<Vec<Pas
     Ok(card.to_passes()?)
 }
 
-fn placement(options: &Options, sources: &[NamedSource]) -> Result<Placement, OptionsError> {
-    // A picture beside other files has the size given by its resolution.
-    let fills = !sources.is_empty() && sources.iter().all(|source| !source.source.has_size());
-    let sheet = sheet(&options.place)?;
-    Ok(Placement {
-        size: match (options.place.fit || fills, options.place.scale) {
-            (_, Some(factor)) => Size::Scaled(factor),
-            (true, None) => Size::Fit,
-            (false, None) => Size::Within,
-        },
-        margin_mm: options.place.margin,
-        rotate_deg: options.place.rotate,
-        center: center(options).filter(|_| sheet.is_none()),
-        mirrors: options.place.mirror,
-        sheet,
-        clips: options.place.clip,
-        ..Placement::default()
-    })
-}
-
-fn marks(place: &PlaceOptions) -> Marks {
-    Marks {
-        border: place.border,
-        crop_marks: place.crop_marks,
-        signature: place.sign.clone(),
-    }
-}
-
-/// Wraps the texts among sources.
-fn wrap_texts(sources: &mut [NamedSource], options: &Options, placement: &Placement) {
-    let reserved = Placement {
-        around_mm: marks(&options.place).around_mm(options.place.gap),
-        ..*placement
-    };
-    let wrap = wrap(options, &reserved);
-    for named in sources {
-        if let Source::Text(text) = &mut named.source {
-            text.wrap = wrap;
-        }
-    }
-}
-
-/// Returns how texts are wrapped: at the requested width, or on a sheet at its margins. A text that
-/// is scaled by a factor is wrapped before.
-fn wrap(options: &Options, placement: &Placement) -> Option<Wrap> {
-    let Options { what, place, .. } = options;
-    let at_margins = || {
-        place.paper_size?;
-        // Without any room, the placement is refused.
-        let room = placement.room_mm().ok()?;
-        let columns = place.grid.map_or(1.0, |grid| f64::from(grid.columns));
-        let column_mm = (room.x - (columns - 1.0) * place.gap) / columns;
-        let scale = place.scale.filter(|_| what.height.is_none());
-        Some(column_mm / scale.unwrap_or(1.0))
-    };
-    Some(Wrap {
-        width_mm: what.wrap.or_else(at_margins)?,
-        justify: what.justify,
-    })
-}
-
-/// The height of a virtual arm's paper, also used for planning while no arm reports its height: Z,
-/// in mm.
-pub const WITHOUT_ARM_Z_MM: f64 = -40.0;
-/// The minimum distance of a sheet's lower edge in front of the arm.
-const NEAREST_MM: f64 = 140.0;
-/// The distance below the sheet's lower edge at which the touches may be, because people rarely hit
-/// the edge exactly.
-const TOUCHED_BELOW_MM: f64 = 5.0;
-/// In characters.
-const LONGEST_TITLE: usize = 60;
-
-/// Returns the sheet: through the touched points, at its corner or centre, or as close in front of
-/// the arm as its whole lower edge can be reached.
-fn sheet(place: &PlaceOptions) -> Result<Option<SheetPlace>, OptionsError> {
-    let Some(size) = place.paper_size else {
-        return Ok(None);
-    };
-    let size = if place.landscape {
-        size.landscape()
-    } else {
-        size
-    };
-    if let Some(&[ax, ay, _, bx, by, _, cx, cy, _]) = place.paper.as_deref() {
-        let [a, b, c] = [(ax, ay), (bx, by), (cx, cy)].map(Point::from);
-        let touched = SheetPlace::through(size, a, b).ok_or(OptionsError::SamePoint)?;
-        let below_mm = touched.on_sheet(c).y - size.height_mm;
-        if below_mm > TOUCHED_BELOW_MM {
-            return Err(OptionsError::BelowSheet(below_mm));
-        }
-        return Ok(Some(touched));
-    }
-    if let Some(&[x_mm, y_mm]) = place.corner.as_deref() {
-        let corner = Point::new(x_mm, y_mm);
-        return Ok(Some(SheetPlace::from_lower_left(size, corner)));
-    }
-    let middle = match place.at.as_deref() {
-        Some(&[x_mm, y_mm]) => Point::new(x_mm, y_mm),
-        _ => Point::new(
-            (NEAREST_MM + size.height_mm / 2.0).max(AREA.center().x),
-            0.0,
-        ),
-    };
-    Ok(Some(SheetPlace::centered(size, middle)))
-}
-
-fn center(options: &Options) -> Option<Point> {
-    match options.place.at.as_deref() {
-        Some(&[x_mm, y_mm]) => Some(Point::new(x_mm, y_mm)),
-        _ => None,
-    }
-}
-
 fn hatch(what: &ContentOptions, material: &Material) -> Option<Hatch> {
     let spacing_mm = match what.hatch? {
         Spacing::OfTool(_) => material.spacing_mm,
@@ -570,3 +456,9 @@ const REMEDIES: [Remedy; 5] = [
         "use `place.clip` to draw only the part that fits",
     ),
 ];
+
+/// The height of a virtual arm's paper, also used for planning while no arm reports its height: Z,
+/// in mm.
+pub const WITHOUT_ARM_Z_MM: f64 = -40.0;
+/// In characters.
+const LONGEST_TITLE: usize = 60;
