@@ -4399,6 +4399,8 @@ export interface components {
              *         "font": null,
              *         "height": null,
              *         "align": null,
+             *         "wrap": null,
+             *         "justify": false,
              *         "card": null,
              *         "card_passes": null,
              *         "card_size": null,
@@ -4437,6 +4439,9 @@ export interface components {
              *         "gap": 5,
              *         "rotate": 0,
              *         "margin": 0,
+             *         "border": false,
+             *         "crop_marks": false,
+             *         "sign": null,
              *         "clip": false,
              *         "pen_down": null,
              *         "paper": null,
@@ -4495,6 +4500,8 @@ export interface components {
              *       "font": null,
              *       "height": null,
              *       "align": null,
+             *       "wrap": null,
+             *       "justify": false,
              *       "card": null,
              *       "card_passes": null,
              *       "card_size": null,
@@ -4537,6 +4544,9 @@ export interface components {
              *       "gap": 5,
              *       "rotate": 0,
              *       "margin": 0,
+             *       "border": false,
+             *       "crop_marks": false,
+             *       "sign": null,
              *       "clip": false,
              *       "pen_down": null,
              *       "paper": null,
@@ -4585,14 +4595,14 @@ export interface components {
              */
             text: string | null;
             /**
-             * @description Font of `what.text`: a single-stroke font (sans, script, serif, gothic), or any installed
-             *     font (default: sans)
+             * @description Font of `what.text`: a single-stroke font (sans, bold, script, serif, italic, gothic, hand),
+             *     an SVG font (its file; in JSON its content), or any installed font (default: sans)
              * @default null
              */
             font: string | null;
             /**
              * Format: double
-             * @description Capital height of `what.text`, in mm (default: 10)
+             * @description Capital height of `what.text` on the paper, in mm (default: 10 mm, scaled with the drawing)
              * @default null
              */
             height: number | null;
@@ -4601,6 +4611,18 @@ export interface components {
              * @default null
              */
             align: components["schemas"]["Align"] | null;
+            /**
+             * Format: double
+             * @description Width at which lines of `what.text` are wrapped, in mm (default: at the margins of
+             *     `place.paper_size`)
+             * @default null
+             */
+            wrap: number | null;
+            /**
+             * @description Widen spaces so that wrapped lines have the full width
+             * @default false
+             */
+            justify: boolean;
             /**
              * @description Burn a laser test card with a column for each of these speeds, in mm/s
              * @default null
@@ -4630,8 +4652,8 @@ export interface components {
              */
             card_label: string | null;
             /**
-             * @description Split an SVG file into layers by colour or outermost group, other files by their layers;
-             *     each is drawn separately, and the arm waits for its pen
+             * @description Split an SVG file into layers by `color`, outermost `group` or line `width`, other files by
+             *     their layers; each is drawn separately, and the arm waits for its pen
              * @default null
              */
             layers: components["schemas"]["LayersBy"] | null;
@@ -4746,7 +4768,7 @@ export interface components {
         /** @description The alignment of lines. */
         Align: "left" | "center" | "right";
         /** @description The layers of an SVG file. */
-        LayersBy: "color" | "group" | "nothing";
+        LayersBy: "color" | "group" | "width" | "nothing";
         /** @description A layer with its own pen or material: `NAME=PEN`. */
         LayerTool: {
             /** @description The name of the layer. */
@@ -4767,8 +4789,8 @@ export interface components {
         /** @description Where to draw it */
         PlaceOptions: {
             /**
-             * @description Sheet to draw on: a3, a4, a5, a6, letter, legal, or `210x148` in mm; the page of the file
-             *     keeps its upper left corner
+             * @description Sheet to draw on: a3 to a7, b5, b6, letter, legal, tabloid, postcard, `210x148` in mm or
+             *     `5x7in`; the page of the file keeps its upper left corner
              * @default null
              */
             paper_size: components["schemas"]["PaperSize"] | null;
@@ -4805,14 +4827,15 @@ export interface components {
              */
             mirror: boolean;
             /**
-             * @description Draw copies in a grid of columns and rows, as in 3x2; several files fill the cells in turn
+             * @description Draw copies in a grid of columns and rows, as in 3x2; several files fill the cells in turn,
+             *     with `place.fit` each as large as its cell allows
              * @default null
              */
             grid: components["schemas"]["Grid"] | null;
             /**
              * Format: double
-             * @description Gap between the copies or files of `place.grid`, and between a file and `what.text` below
-             *     it, in mm of the file
+             * @description Gap between the copies or files of `place.grid`, between a file and `what.text` below it, and
+             *     inside `place.border`, in mm of the file
              * @default 5
              */
             gap: number;
@@ -4828,6 +4851,21 @@ export interface components {
              * @default 0
              */
             margin: number;
+            /**
+             * @description Draw a border at the margin of the sheet, or around the drawing
+             * @default false
+             */
+            border: boolean;
+            /**
+             * @description Draw crop marks outside the corners of the border
+             * @default false
+             */
+            crop_marks: boolean;
+            /**
+             * @description Sign in the lower right corner with this text, in script letters 4 mm high
+             * @default null
+             */
+            sign: string | null;
             /**
              * @description Cut off what lies beyond the sheet or out of reach, instead of refusing the drawing
              * @default false
@@ -4853,7 +4891,10 @@ export interface components {
              */
             offset: number;
         };
-        /** @description The size of a sheet: `a6` to `a3`, `letter`, `legal`, or width and height in mm as in `210x148`. */
+        /**
+         * @description The size of a sheet: a name such as `a5`, or width and height in mm or inches, as in `210x148` or
+         *     `5x7in`.
+         */
         PaperSize: string;
         /** @description A grid of columns and rows for copies or files, as in `3x2`: three columns and two rows. */
         Grid: string;

@@ -89,7 +89,8 @@ def plan(
 
     The options are keyword arguments, with lengths in millimetres and angles in degrees: ``paper_size="a5"``,
     ``landscape=True``, ``at=[210, 20]``, ``pen_down=-40``; ``dobot draw --help`` describes all of them (with
-    ``-`` for ``_``). ``paper="a5"`` is short for ``paper_size="a5", fit=True``: as large as the sheet allows.
+    ``-`` for ``_``). ``paper="a5"`` is short for ``paper_size="a5", fit=True``: as large as the sheet allows,
+    but a text with a ``height`` keeps it.
 
     Raises :class:`TypeError` for an unknown option, :class:`ValueError` for an invalid value or a drawing that
     cannot be planned, :class:`OSError` for a file that cannot be read.
@@ -98,7 +99,8 @@ def plan(
         if "paper_size" in options:
             raise TypeError("paper and paper_size have the same meaning; give one of them")
         options["paper_size"] = options.pop("paper")
-        if "scale" not in options:
+        is_text_with_height = file is None and lines is None and "height" in options
+        if "scale" not in options and not is_text_with_height:
             options.setdefault("fit", True)
     name = None if file is None else os.fspath(file)
     drawn = None if lines is None else _copied(lines)

@@ -137,6 +137,9 @@ def test_a_text_is_drawn_and_shows_itself() -> None:
     plan = dobot.plan(text="Hello", height=20)
     assert plan.title == "Hello" and plan.duration_s > 1 and plan.drawn_mm > 100
     assert plan._repr_svg_().startswith("<svg")
+    on_sheet = dobot.plan(text="Hello", height=20, paper="a5", landscape=True)
+    assert on_sheet.drawn_mm == pytest.approx(plan.drawn_mm, rel=0.01) and on_sheet.warnings == []
+    assert "scaled down to" in dobot.plan(text="Hello " * 20).warnings[0]
 
 
 def test_a_text_is_drawn_below_the_file_given_with_it(tmp_path: Path) -> None:

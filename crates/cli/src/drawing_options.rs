@@ -25,6 +25,8 @@ fn rows() -> Vec<Row> {
         text("font", "NAME"),
         number("height", "MM"),
         parsed::<Align>("align", "SIDE"),
+        number("wrap", "MM"),
+        flag("justify").arg(|arg| arg.conflicts_with("align")),
         several::<f64>("card", ValueParser::new(card_speed))
             .arg(|arg| arg.value_name("SPEED,...").value_delimiter(',')),
         whole::<u32>("card_passes"),
@@ -73,6 +75,9 @@ fn rows() -> Vec<Row> {
         number("gap", "MM"),
         number("rotate", "DEGREES"),
         number("margin", "MM"),
+        flag("border"),
+        flag("crop_marks"),
+        text("sign", "TEXT"),
         flag("clip"),
         number("pen_down", "Z").arg(|arg| arg.conflicts_with("paper")),
         several::<f64>("paper", ValueParser::new(finite)).arg(|arg| {

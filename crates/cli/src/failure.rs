@@ -17,7 +17,19 @@ use crate::drawing_options::with_option_names;
 pub(crate) struct Failure {
     error: anyhow::Error,
     hint: Option<String>,
-    is_usage: bool,
+    kind: FailureKind,
+}
+
+/// The kind of a failure, which determines its exit code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum FailureKind {
+    Failed,
+    /// An option has an invalid value.
+    Usage,
+    /// The job waits for a person; it did not fail.
+    Waiting {
+        job: u64,
+    },
 }
 
 /// The form of an error on standard error.
@@ -49,15 +61,23 @@ impl Failure {
         Self {
             error: error.into(),
             hint: Some(hint.into()),
-            is_usage: false,
+            kind: FailureKind::Failed,
         }
     }
 
     /// Creates a failure of an invalid option value.
     pub(crate) fn usage(error: impl Into<anyhow::Error>) -> Self {
         Self {
-            is_usage: true,
+            kind: FailureKind::Usage,
             ..Self::from(error)
+        }
+    }
+
+    /// Creates the end of a run in which a job waits for a person to do something.
+    pub(crate) fn waiting(job: u64, what: impl Into<anyhow::Error>, hint: String) -> Self {
+        Self {
+            kind: FailureKind::Waiting { job },
+            ..Self::new(what, hint)
         }
     }
 
@@ -98,22 +118,34 @@ impl Failure {
         if causes().any(unread) {
             return ExitCode::SUCCESS;
         }
-        let code = self.exit_code();
-        print_error(format, &self.detail(), self.hint().as_deref(), code);
+        let (code, detail, hint) = (self.exit_code(), self.detail(), self.hint());
+        match self.kind {
+            FailureKind::Waiting { job } => {
+                print_waiting(format, job, &detail, &hint.unwrap_or_default(), code);
+            }
+            _ => print_error(format, &detail, hint.as_deref(), code),
+        }
         code.into()
     }
 
-    /// 2 for an invalid option or value, otherwise 1.
+    /// 3 for a job that waits for a person, 2 for an invalid option or value, otherwise 1.
     fn exit_code(&self) -> u8 {
-        let is_usage = self.is_usage || self.error.chain().any(is_invalid_option);
-        if is_usage { 2 } else { 1 }
+        match self.kind {
+            FailureKind::Waiting { .. } => 3,
+            FailureKind::Usage => 2,
+            FailureKind::Failed if self.error.chain().any(is_invalid_option) => 2,
+            FailureKind::Failed => 1,
+        }
     }
 }
 
 /// Whether an error is an option that no drawing may have, or that does not fit what is drawn.
 fn is_invalid_option(cause: &(dyn std::error::Error + 'static)) -> bool {
     let error = cause.downcast_ref::<OptionsError>();
-    error.is_some_and(|error| !matches!(error, OptionsError::Prepare(_) | OptionsError::NoSurface))
+    error.is_some_and(|error| {
+        use OptionsError::{DoesNotFit, NoSurface, Prepare};
+        !matches!(error, DoesNotFit { .. } | Prepare(_) | NoSurface)
+    })
 }
 
 /// Prints an error and its hint.
@@ -139,12 +171,29 @@ pub(crate) fn print_error(format: ErrorFormat, error: &str, hint: Option<&str>, 
     }
 }
 
+/// Prints what a job waits for, in one line.
+fn print_waiting(format: ErrorFormat, job: u64, what: &str, hint: &str, exit_code: u8) {
+    let line = format!("job {job} waits: {what}; {hint}");
+    match format {
+        ErrorFormat::Text => eprintln!("{line}"),
+        ErrorFormat::Json => {
+            let object =
+                json!({ "job": job, "waits_for": what, "hint": hint, "exit_code": exit_code });
+            eprintln!("{object}");
+        }
+        ErrorFormat::Log => {
+            tracing::warn!(job, hint, "{what}");
+            crate::stderr::flush();
+        }
+    }
+}
+
 impl<E: Into<anyhow::Error>> From<E> for Failure {
     fn from(error: E) -> Self {
         Self {
             error: error.into(),
             hint: None,
-            is_usage: false,
+            kind: FailureKind::Failed,
         }
     }
 }

@@ -70,14 +70,16 @@ pub(crate) async fn start_shown(
 
 /// Confirms that a person has done what a paused job waits for, if it waits. The client must have control.
 pub(crate) async fn confirm(station: &mut StationClient, job: u64) -> Result<(), Failure> {
-    let jobs = station.jobs().await?;
-    if jobs
-        .iter()
-        .any(|one| one.job == job && one.waits_for_person)
-    {
+    if waits_for_person(station, job).await? {
         station.request(Request::ConfirmJob { job }).await?;
     }
     Ok(())
+}
+
+async fn waits_for_person(station: &mut StationClient, job: u64) -> Result<bool, Failure> {
+    let jobs = station.jobs().await?;
+    let mut jobs = jobs.iter();
+    Ok(jobs.any(|one| one.job == job && one.waits_for_person))
 }
 
 /// Runs the next step of a job, and waits for the pause after it.
@@ -139,7 +141,7 @@ async fn ask_to_resume(
             station.request(Request::CancelJob { job }).await?;
             Err(anyhow!("job {job} is cancelled").into())
         }
-        PausedChoice::Leave => Err(paused(station, (job, burns), why)),
+        PausedChoice::Leave => Err(paused(station, (job, burns), why).await?),
     }
 }
 
@@ -219,16 +221,23 @@ async fn pause(station: &mut StationClient) -> Result<(), RemoteError> {
     }
 }
 
-fn paused(station: &StationClient, (job, burns): (u64, bool), text: &str) -> Failure {
+/// Returns the end of a run that leaves its job paused.
+async fn paused(
+    station: &mut StationClient,
+    (job, burns): (u64, bool),
+    text: &str,
+) -> Result<Failure, Failure> {
     let to = station.arm_address();
     let to = to.map_or_else(String::new, |address| format!(" --to {address}"));
     let laser = if burns { " --arm-laser SECONDS" } else { "" };
-    Failure::new(
-        anyhow!("job {job} is paused: {text}"),
-        format!(
-            "resume it with `dobot jobs start {job}{to}{laser}`, or end it with `dobot jobs cancel {job}{to}`"
-        ),
-    )
+    let hint = format!(
+        "resume it with `dobot jobs start {job}{to}{laser}`, or end it with `dobot jobs cancel {job}{to}`"
+    );
+    Ok(if waits_for_person(station, job).await? {
+        Failure::waiting(job, anyhow!("{text}"), hint)
+    } else {
+        Failure::new(anyhow!("job {job} is paused: {text}"), hint)
+    })
 }
 
 /// Asks the person at the terminal, if there is one.

@@ -35,7 +35,7 @@ struct Cli {
     verb: Option<Verb>,
 }
 
-/// The one place where an outcome becomes an exit code: 0 done, 1 failed, 2 usage.
+/// The one place where an outcome becomes an exit code: 0 done, 1 failed, 2 usage, 3 waiting.
 fn main() -> ExitCode {
     std::panic::set_hook(Box::new(stderr::report_panic));
     let words = command_line::words();
@@ -80,8 +80,9 @@ A dialect is the protocol that an arm understands, a personality is the
 behaviour of a virtual arm. They have the same names: specification (the
 published protocol) and firmware-1.1 (the arms that were sold).
 
-Exit codes: 0 done, 1 failed, 2 invalid command line. With `--json`, the last
-line on standard error is a JSON object for an error: error, hint, exit_code.";
+Exit codes: 0 done, 1 failed, 2 invalid command line, 3 a job waits for a
+person, as for another pen. With `--json`, the last line on standard error is a
+JSON object: error, hint, exit_code; or job, waits_for, hint, exit_code.";
 
 #[cfg(test)]
 mod tests {

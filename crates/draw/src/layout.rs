@@ -3,6 +3,7 @@
 pub(crate) mod clip;
 pub(crate) mod copies;
 pub(crate) mod frame;
+pub(crate) mod marks;
 pub(crate) mod multi_file;
 pub(crate) mod place;
 pub(crate) mod sheet;

@@ -45,6 +45,7 @@ pub use dobot_import::{FORMATS, Format};
 pub use layout::clip::{Clipped, clip_to_reach};
 pub use layout::copies::Grid;
 pub use layout::frame::{FrameShape, frame};
+pub use layout::marks::Marks;
 pub use layout::place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use layout::sheet::{PaperSize, SheetPlace};
 pub use layout::test_card::{Card, CardError};

@@ -8,6 +8,7 @@ mod error;
 mod fields;
 mod path;
 mod place;
+mod placement;
 mod tool;
 
 use schemars::JsonSchema;
@@ -70,3 +71,6 @@ impl Options {
         check::check(self, &subject.sources, &subject.title)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -19,6 +19,7 @@ use self::vectors::{Trials, simplified};
 use crate::arm::backlash::{compensated, most_mm};
 use crate::arm::calibrated::raw_passes;
 use crate::arm::resume_point::ResumePointError;
+use crate::layout::marks::DrawnMarks;
 use crate::layout::place::{PlaceError, Placed, check_reach};
 use crate::preparation::progress::PrepareStep;
 use crate::strokes::hatch::HatchError;
@@ -98,10 +99,21 @@ pub fn prepare_multi_file<E: fmt::Display>(
         let beside_mm = beside_mm(settings.tool, &settings);
         [near + beside_mm, far - beside_mm]
     });
+    let marked = settings.clone();
+    let (marks, in_signature) = DrawnMarks::read(&marked).map_err(|error| PrepareError::File {
+        name: SIGNATURE.to_owned(),
+        error,
+    })?;
+    settings.placement = marks.reserve(settings.placement);
     let settings = &settings;
     settings.progress.begin(PrepareStep::Reading, 0);
-    let (Placed { layers, scale }, mut warnings) = read(sources, settings)?;
+    let (Placed { mut layers, scale }, mut warnings) = read(sources, settings)?;
+    warnings.extend(in_signature.into_iter().map(|warning| Warning {
+        file: Some(SIGNATURE.to_owned()),
+        ..warning
+    }));
     settings.cancel.check()?;
+    marks.add_to(&mut layers, settings)?;
     let (layers, left_out) = layers::chosen(layers, settings)?;
     warnings.extend(layers::pen_speeds(&layers, settings));
     warnings.extend(layers::unhatched(&layers, settings));
@@ -258,6 +270,8 @@ fn beside_mm(tool: DrawingTool, settings: &Settings) -> f64 {
     settings.tolerance_mm + run_mm + cutting_mm + slack_mm.unwrap_or_default()
 }
 
+/// The name of the signature in errors and warnings.
+const SIGNATURE: &str = "place.sign";
 /// Larger than the reach of any arm.
 const MAX_REACH_MM: u32 = 400;
 

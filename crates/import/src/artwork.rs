@@ -29,6 +29,18 @@ impl Artwork {
         self
     }
 
+    /// The artwork with its page, scaled by a factor.
+    #[must_use]
+    pub fn scaled(mut self, factor: f64) -> Self {
+        let points = self.layers.iter_mut().flat_map(Layer::points_mut);
+        points.for_each(|p| *p = (p.to_vec2() * factor).to_point());
+        Self {
+            width_mm: self.width_mm * factor,
+            height_mm: self.height_mm * factor,
+            ..self
+        }
+    }
+
     /// Adds the content of another page. Layers of the same name, colour and speed are merged.
     pub fn add(&mut self, other: Self) {
         for mut layer in other.layers {

@@ -52,6 +52,6 @@ pub use options::{GcodeTool, LayersBy, ReadOptions};
 pub use picture::{Shading, ShadingStyle};
 pub use place::Place;
 pub use source::Source;
-pub use text::{Align, Font, StrokeFont, Text};
+pub use text::{Align, Font, StrokeFont, Text, Wrap};
 pub use usvg::fontdb;
 pub use warning::{Warning, WarningKind};

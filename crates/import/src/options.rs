@@ -69,6 +69,8 @@ pub enum LayersBy {
     Color,
     /// A layer per outermost group.
     Group,
+    /// A layer per line width; fills without lines have one of their own.
+    Width,
     /// A single layer.
     Nothing,
 }
@@ -80,7 +82,8 @@ impl FromStr for LayersBy {
         match text {
             "color" | "colour" => Ok(Self::Color),
             "group" => Ok(Self::Group),
-            _ => Err("allowed are color and group"),
+            "width" => Ok(Self::Width),
+            _ => Err("allowed are color, group and width"),
         }
     }
 }

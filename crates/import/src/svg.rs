@@ -8,6 +8,7 @@ mod edits;
 mod entities;
 mod expand;
 mod flatten;
+mod font;
 mod groups;
 mod handles;
 mod ink;
@@ -37,6 +38,7 @@ use usvg::roxmltree::{Document, Node};
 use usvg::{FontResolver, ImageHrefResolver, Tree};
 
 use self::declared::{Declared, rules};
+pub(crate) use self::font::SvgFont;
 use self::groups::Groups;
 use self::page::SvgPage;
 use self::points::lone_coordinates;
@@ -66,6 +68,23 @@ pub(crate) fn read(
     let (artwork, mut warnings) = draw(text, options, &substitutes)?;
     warnings.extend(substitutes.warnings());
     Ok((artwork, warnings))
+}
+
+/// The width of the first text of an SVG file from its start to that of the next letter, in the
+/// units of the text; 0 without a text that can be shown.
+pub(crate) fn text_width(text: &str, options: &ReadOptions) -> f64 {
+    let substitutes = Substitutes::default();
+    let tree = parse(text, options, &TreeWarnings::new(&substitutes)).map(|parsed| parsed.0);
+    let width = tree.ok().and_then(|tree| first_text_width(tree.root()));
+    width.unwrap_or_default()
+}
+
+fn first_text_width(group: &usvg::Group) -> Option<f64> {
+    group.children().iter().find_map(|node| match node {
+        usvg::Node::Text(text) => Some(text.bounding_box().width().into()),
+        usvg::Node::Group(inner) => first_text_width(inner),
+        _ => None,
+    })
 }
 
 /// Whether a text with this start is an SVG file, whatever its name is.

@@ -194,6 +194,7 @@ export const en = {
   "draw.layers.nothing": "none",
   "draw.layers.color": "by colour",
   "draw.layers.group": "by group",
+  "draw.layers.width": "by line width",
   "draw.gcode": "G-code for",
   "draw.gcode.file": "as the file suggests",
   "draw.gcode.laser": "a laser",

@@ -195,6 +195,7 @@ export const zh = {
   "draw.layers.nothing": "不分层",
   "draw.layers.color": "按颜色",
   "draw.layers.group": "按组",
+  "draw.layers.width": "按线宽",
   "draw.gcode": "G 代码用于",
   "draw.gcode.file": "按文件判断",
   "draw.gcode.laser": "激光",

@@ -14,8 +14,8 @@ import { sheet } from "./sheet.js";
 /** @typedef {import("../views/context.js").Context} Context */
 /** @typedef {import("../state/draw.js").Settings} Settings */
 
-const FONTS = /** @type {const} */ (["sans", "script", "serif", "gothic"]);
-const LAYERS = /** @type {const} */ (["nothing", "color", "group"]);
+const FONTS = /** @type {const} */ (["sans", "script", "serif", "gothic", "hand"]);
+const LAYERS = /** @type {const} */ (["nothing", "color", "group", "width"]);
 const GCODE = /** @type {const} */ (["file", "laser", "pen", "mill"]);
 /** The most warnings shown. */
 const MOST_WARNINGS = 8;

@@ -7,7 +7,7 @@ import { paperOf } from "./paper.js";
 /** @typedef {Schemas["DrawingPlan"]} Plan */
 /** The supported formats. @typedef {readonly Schemas["Format"][]} Formats */
 /** @typedef {{ x: string, y: string, scale: string, rotate: string, down: string }} Place The text of the fields; empty for the station's default. */
-/** @typedef {{ tool: string, speed: string, tolerance: string, layers: "nothing" | "color" | "group", gcode: "file" | "laser" | "pen" | "mill", pens: Readonly<Record<string, string>>, hatch: boolean, clip: boolean, fit: boolean, height: string, font: string }} Way */
+/** @typedef {{ tool: string, speed: string, tolerance: string, layers: "nothing" | "color" | "group" | "width", gcode: "file" | "laser" | "pen" | "mill", pens: Readonly<Record<string, string>>, hatch: boolean, clip: boolean, fit: boolean, height: string, font: string }} Way */
 /** @typedef {Place & Way} Settings */
 /** Placement of a drawing: centre, scale and rotation. @typedef {{ x_mm: number, y_mm: number, scale: number, rotate_deg: number }} Lies */
 

@@ -628,6 +628,25 @@ fn a_file_after_an_option_that_takes_numbers_is_reported_as_such() {
 }
 
 #[test]
+fn a_font_is_read_from_its_file() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let file = folder.path().join("sticks.svg");
+    let font = r#"<svg xmlns="http://www.w3.org/2000/svg"><font horiz-adv-x="9"><glyph unicode="H" d="M0 0V7"/></font></svg>"#;
+    fs::write(&file, font).expect("there is room");
+    let name = file.to_str().expect("it is text");
+    let text = |font| {
+        [
+            "draw", "--text", "HHH", "--height", "20", "--json", "--font", font,
+        ]
+    };
+    let drawn = report(&dobot(&text(name)).succeeds().stdout);
+    assert!((number(&drawn, "drawn_mm") - 60.0).abs() < 0.01, "{drawn}");
+    fs::write(&file, "<svg/>").expect("there is room");
+    dobot(&text(name)).fails(1, &["--font", "no <font> element"]);
+    dobot(&text("nowhere.svg")).fails(1, &["cannot read nowhere.svg", "name an SVG font"]);
+}
+
+#[test]
 fn options_without_effect_are_reported() {
     let square = example("square.svg");
     let hatched = dobot(&["draw", &square, "--hatch", "--dry-run"]).succeeds();
@@ -637,11 +656,11 @@ fn options_without_effect_are_reported() {
     for (arguments, expected) in [
         (
             &["draw", &square, "--gap", "9"][..],
-            "--gap has no effect without --grid or --text",
+            "--gap has no effect without --grid, --border, --sign or --text",
         ),
         (
             &["draw", "--text", "arm", "--gap", "9"],
-            "--gap has no effect without --grid, or a file above the text",
+            "--gap has no effect without --grid, --border, --sign, or a file above the text",
         ),
         (
             &["draw", &photo, "--shade", "stipple", "--levels", "3"],

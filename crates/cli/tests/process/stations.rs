@@ -458,3 +458,30 @@ fn if_tokens_are_required_raw_packets_are_served_only_on_request() {
     let mut station = RunningProcess::new(command_at(folder.path(), &asked));
     station.wait_for_line("tcp:127.0.0.1:");
 }
+
+#[test]
+fn a_change_of_pen_without_a_terminal_is_reported_as_waiting_and_not_as_a_failure() {
+    let up = Up::new(&[]);
+    let file = up.folder.path().join("pens.svg");
+    let lines = r#"<path d="M1 1H5" stroke="red"/><path d="M1 3H5" stroke="blue"/>"#;
+    let svg = format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="9mm" height="9mm" viewBox="0 0 9 9">{lines}</svg>"#
+    );
+    std::fs::write(&file, svg).expect("there is room");
+    let file = file.to_str().expect("it is text");
+    let draw = ["draw", file, "--layers", "color", "--pen-down", "-40"];
+    let what = "put in the pen for blue; that of red is done";
+    assert_eq!(
+        up.dobot(&draw).waits(),
+        format!(
+            "job 1 waits: {what}; resume it with `dobot jobs start 1`, or end it with `dobot jobs cancel 1`"
+        )
+    );
+    up.dobot(&["jobs", "cancel", "1"]).succeeds();
+    let line = up.dobot(&[&draw[..], &["--json"]].concat()).waits();
+    let waiting: Value = serde_json::from_str(&line).expect("it is JSON");
+    assert_eq!(waiting["waits_for"], what);
+    assert_eq!(waiting["job"], 2);
+    assert_eq!(waiting["exit_code"], 3);
+    assert!(waiting["hint"].is_string(), "{waiting}");
+}

@@ -31,6 +31,13 @@ impl Outcome {
         }
         self
     }
+
+    /// Checks that the job is left waiting for a person, and returns the line about it.
+    pub(crate) fn waits(self) -> String {
+        assert_eq!(self.code, Some(3), "{self:?}");
+        assert!(!self.stderr.contains("error"), "{self:?}");
+        self.stderr.lines().last().unwrap_or_default().to_owned()
+    }
 }
 
 impl From<Output> for Outcome {

@@ -3,8 +3,8 @@
 use dobot_geometry::{Rect, Vec2, bounds};
 use dobot_import::{Align, Artwork, Source};
 
-use crate::layout::copies::in_cells;
-use crate::layout::place::PlaceError;
+use crate::layout::copies::{Grid, in_cells};
+use crate::layout::place::{PlaceError, Size};
 use crate::prepare::Settings;
 
 /// Combines all parts on one page: files at their places on their own pages or in the cells of a
@@ -17,7 +17,7 @@ pub(crate) fn combine(
     parts: Vec<(&Source, Artwork)>,
     settings: &Settings,
 ) -> Result<Artwork, PlaceError> {
-    let is_text = |file: &(&Source, Artwork)| matches!(file.0, Source::Text(_));
+    let is_text = |file: &(&Source, Artwork)| is_text(file.0);
     let (texts, files): (Vec<_>, Vec<_>) = if parts.iter().all(is_text) {
         (Vec::new(), parts)
     } else {
@@ -32,6 +32,63 @@ pub(crate) fn combine(
         page = captioned(page, text, align, settings.gap_mm);
     }
     Ok(page)
+}
+
+/// Returns the scale of each source on the page, if the page is drawn at `page_scale`: a file that
+/// is fitted to its cell of a grid fills it, and a text below files may keep its height on the
+/// paper. `inks` are the extents of the sources.
+///
+/// # Errors
+///
+/// [`PlaceError`] if margin, marks or gaps leave no space for the cells.
+pub(crate) fn scales(
+    sources: &[&Source],
+    inks: &[Rect],
+    settings: &Settings,
+    page_scale: f64,
+) -> Result<Vec<f64>, PlaceError> {
+    let cell = match settings
+        .grid
+        .filter(|_| settings.placement.size == Size::Fit)
+    {
+        Some(grid) => Some(cell(grid, settings)?),
+        None => None,
+    };
+    let has_files = !sources.iter().all(|source| is_text(source));
+    let scale = |(source, ink): (&&Source, &Rect)| {
+        if has_files && is_text(source) {
+            let scale = if settings.keeps_text_height {
+                page_scale
+            } else {
+                1.0
+            };
+            return scale.recip();
+        }
+        let fitting = cell.map(|cell| (cell.x / ink.width()).min(cell.y / ink.height()));
+        // A dot fits at any scale.
+        fitting.filter(|scale| scale.is_finite()).unwrap_or(1.0)
+    };
+    Ok(sources.iter().zip(inks).map(scale).collect())
+}
+
+/// Returns width and height of a cell on the paper.
+fn cell(grid: Grid, settings: &Settings) -> Result<Vec2, PlaceError> {
+    let room = settings.placement.room_mm()?;
+    let side = |room_mm: f64, count: u32| {
+        let count = f64::from(count);
+        (room_mm - (count - 1.0) * settings.gap_mm) / count
+    };
+    let cell = Vec2::new(side(room.x, grid.columns), side(room.y, grid.rows));
+    if cell.x > 0.0 && cell.y > 0.0 {
+        return Ok(cell);
+    }
+    Err(PlaceError::Gaps {
+        room_mm: [room.x, room.y],
+    })
+}
+
+pub(crate) const fn is_text(source: &Source) -> bool {
+    matches!(source, Source::Text(_))
 }
 
 fn side_by_side(files: Vec<Artwork>, settings: &Settings) -> Result<Artwork, PlaceError> {

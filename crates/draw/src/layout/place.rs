@@ -1,14 +1,15 @@
 //! Placement on the paper, and the check of the arm's reach.
 
+mod error;
+
 use std::{fmt, iter};
 
+pub use self::error::PlaceError;
+use crate::layout::sheet::SheetPlace;
 use dobot_arm::Position;
 use dobot_geometry::{Point, Rect, Vec2, bounds, direction, steps};
 use dobot_import::{Artwork, Layer};
 use dobot_plan::{MoveKind, Paper, Plan};
-use thiserror::Error;
-
-use crate::layout::sheet::SheetPlace;
 
 /// The default drawing area: 120 mm deep and 200 mm wide, entirely within reach.
 pub const AREA: Rect = Rect::new(150.0, -100.0, 270.0, 100.0);
@@ -20,6 +21,10 @@ pub struct Placement {
     pub area: Rect,
     /// The margin along its edges, in mm, at least 0.
     pub margin_mm: f64,
+    /// The space on each side of the drawing for border and crop marks, in mm.
+    pub around_mm: f64,
+    /// The additional space below the drawing for a signature, in mm.
+    pub below_mm: f64,
     /// The size of the drawing.
     pub size: Size,
     /// The rotation of the drawing on the paper, counterclockwise, in degrees.
@@ -117,21 +122,68 @@ impl Placement {
         if !(0.0..most_mm).contains(&margin_mm) {
             return Err(PlaceError::Margin { margin_mm, most_mm });
         }
-        Ok(sheet.room(margin_mm))
+        let Rect { x0, y0, x1, y1 } = sheet.room(margin_mm);
+        let taken = self.taken();
+        if taken.x >= x1 - x0 || taken.y >= y1 - y0 {
+            return Err(self.no_room(Vec2::new(x1 - x0, y1 - y0)));
+        }
+        let around_mm = self.around_mm;
+        let bottom = y1 - around_mm - self.below_mm;
+        Ok(Rect::new(
+            x0 + around_mm,
+            y0 + around_mm,
+            x1 - around_mm,
+            bottom,
+        ))
     }
 
-    /// Returns the centre: that of the area, or for a larger drawing the middle of the reachable
-    /// positions.
+    /// Returns width and height that the marks around the drawing take.
+    fn taken(&self) -> Vec2 {
+        let sides_mm = 2.0 * self.around_mm;
+        Vec2::new(sides_mm, sides_mm + self.below_mm)
+    }
+
+    fn no_room(&self, room: Vec2) -> PlaceError {
+        let taken = self.taken();
+        PlaceError::MarksTooLarge {
+            taken_mm: [taken.x, taken.y],
+            room_mm: [room.x, room.y],
+        }
+    }
+
+    /// Returns width and height of the room for the drawing before it is rotated; for odd angles,
+    /// as for the nearest quarter of a turn.
+    pub(crate) fn room_mm(&self) -> Result<Vec2, PlaceError> {
+        let room = match &self.sheet {
+            Some(sheet) => self.sheet_room(sheet)?.size().to_vec2(),
+            None => self
+                .room()
+                .map(|[width, height]| Vec2::new(width, height))?,
+        };
+        let is_on_its_side = (45.0..135.0).contains(&self.rotate_deg.rem_euclid(180.0));
+        Ok(if is_on_its_side {
+            Vec2::new(room.y, room.x)
+        } else {
+            room
+        })
+    }
+
+    /// Returns the centre of the drawing: with its marks in the middle of the area, or if they are
+    /// larger, of the reachable positions.
     fn middle(&self, ink: Rect, scale: f64) -> Point {
         let size = ink.size().to_vec2() * scale;
-        let is_larger = size.x > self.area.height() || size.y > self.area.width();
+        let whole = size + self.taken();
+        let is_larger = whole.x > self.area.height() || whole.y > self.area.width();
         let reached = self.reached(size).filter(|_| is_larger);
-        self.center.or(reached).unwrap_or(self.area.center())
+        let middle = reached.unwrap_or(self.area.center());
+        // A signature is closer to the arm than the drawing.
+        let above = Vec2::new(self.below_mm / 2.0, 0.0);
+        self.center.unwrap_or(middle + above)
     }
 
     /// Returns the middle of the positions in which the arm reaches a drawing of this size,
-    /// including margins. The base may turn by at most a quarter of a circle, because the servo
-    /// keeps the tool's direction.
+    /// including its marks and margins. The base may turn by at most a quarter of a circle, because
+    /// the servo keeps the tool's direction.
     ///
     /// ```text
     ///        far       .-----.
@@ -141,6 +193,7 @@ impl Placement {
     /// ```
     fn reached(&self, size: Vec2) -> Option<Point> {
         let [near, far] = self.reach?;
+        let size = size + self.taken();
         let margin_mm = 2.0 * self.margin_mm;
         let (half, deep) = (f64::midpoint(size.x, margin_mm), size.y + margin_mm);
         let first = near.max(half * QUARTER);
@@ -206,7 +259,11 @@ impl Placement {
         let margin_mm = self.margin_mm;
         let [wide, deep] = [self.area.height(), self.area.width()].map(|mm| mm - 2.0 * margin_mm);
         if margin_mm >= 0.0 && wide > 0.0 && deep > 0.0 {
-            return Ok([wide, deep]);
+            let taken = self.taken();
+            if taken.x >= wide || taken.y >= deep {
+                return Err(self.no_room(Vec2::new(wide, deep)));
+            }
+            return Ok([wide - taken.x, deep - taken.y]);
         }
         let most_mm = self.area.height().min(self.area.width()) / 2.0;
         Err(PlaceError::Margin { margin_mm, most_mm })
@@ -219,6 +276,8 @@ impl Default for Placement {
         Self {
             area: AREA,
             margin_mm: 0.0,
+            around_mm: 0.0,
+            below_mm: 0.0,
             size: Size::True,
             rotate_deg: 0.0,
             center: None,
@@ -250,108 +309,6 @@ pub struct Placed {
     pub layers: Vec<Layer>,
     /// Their scale relative to the page.
     pub scale: f64,
-}
-
-/// The error returned when a drawing cannot be placed.
-#[derive(Clone, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum PlaceError {
-    /// The scale is not a number above 0.
-    #[error("the scale is {0}; it must be a number above 0")]
-    Scale(f64),
-    /// The rotation, in degrees, is not a number.
-    #[error("the rotation is {0} degrees; it must be a finite number")]
-    Rotate(f64),
-    /// The margin leaves no space.
-    #[error("the margin is {margin_mm} mm; it must be from 0 to below {most_mm} mm")]
-    Margin {
-        /// The margin.
-        margin_mm: f64,
-        /// The margin at which no space is left.
-        most_mm: f64,
-    },
-    /// There are more files than cells in the grid.
-    #[error(
-        "a grid of {cells} cell{} has no room for {files} files; use a cell for each, as in place.grid {files}x1",
-        if *cells == 1 { "" } else { "s" }
-    )]
-    Cells {
-        /// The number of cells.
-        cells: u32,
-        /// The number of files.
-        files: usize,
-    },
-    /// The drawing is larger than the area.
-    #[error(
-        "the drawing is {width_mm:.1} x {height_mm:.1} mm, and the arm reaches all of {area_width_mm:.1} x {area_height_mm:.1} mm; make it smaller"
-    )]
-    TooLarge {
-        /// The width of the drawing.
-        width_mm: f64,
-        /// The height of the drawing.
-        height_mm: f64,
-        /// The maximum width.
-        area_width_mm: f64,
-        /// The maximum height.
-        area_height_mm: f64,
-    },
-    /// The drawing does not fit on the sheet.
-    #[error(
-        "the drawing extends {by_mm:.1} mm beyond the {} of the sheet, at x {x_mm:.1}, y {y_mm:.1}; make it smaller, or clip it with place.clip",
-        if *margin_mm > 0.0 { "margin" } else { "edge" }
-    )]
-    BeyondSheet {
-        /// The distance beyond the edge.
-        by_mm: f64,
-        /// The margin of the sheet.
-        margin_mm: f64,
-        /// Forward, in the base frame.
-        x_mm: f64,
-        /// To the left.
-        y_mm: f64,
-    },
-    /// A point is out of the arm's reach.
-    #[error(
-        "the pen cannot reach x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; make the drawing smaller, or place it elsewhere"
-    )]
-    OutOfReach {
-        /// Forward, in the base frame.
-        x_mm: f64,
-        /// To the left.
-        y_mm: f64,
-        /// Up.
-        z_mm: f64,
-        /// The limit of the arm.
-        reason: String,
-    },
-    /// A point on the run-up or run-out of the laser is out of reach.
-    #[error(
-        "the run-up or run-out of the laser cannot reach x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; burn slower, which shortens it, or place the drawing elsewhere"
-    )]
-    RunOutOfReach {
-        /// Forward, in the base frame.
-        x_mm: f64,
-        /// To the left.
-        y_mm: f64,
-        /// Up.
-        z_mm: f64,
-        /// The limit of the arm.
-        reason: String,
-    },
-    /// A travel between two strokes leads out of reach, although each stroke may be within reach.
-    #[error(
-        "the travel between two strokes passes through x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; place the drawing farther from the arm, or draw the parts on either side of it separately"
-    )]
-    WayOutOfReach {
-        /// Forward, in the base frame.
-        x_mm: f64,
-        /// To the left.
-        y_mm: f64,
-        /// Up.
-        z_mm: f64,
-        /// The limit of the arm.
-        reason: String,
-    },
 }
 
 /// Checks every position of a plan, at most 2 mm apart, with the pen down and up: an interrupted

@@ -7,7 +7,8 @@ use dobot_geometry::{Point, Rect, Vec2};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// The size of a sheet: `a6` to `a3`, `letter`, `legal`, or width and height in mm as in `210x148`.
+/// The size of a sheet: a name such as `a5`, or width and height in mm or inches, as in `210x148` or
+/// `5x7in`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "String", into = "String")]
 #[schemars(with = "String")]
@@ -41,11 +42,20 @@ impl FromStr for PaperSize {
         if let Some(known) = NAMED.iter().find(|named| named.0 == name) {
             return Ok(size(known.1, known.2));
         }
-        let sides = name.split_once('x');
-        let number = |text: &str| text.trim().parse().ok().filter(|mm| SIDE_MM.contains(mm));
+        let (sides, unit_mm) = match name.strip_suffix("in") {
+            Some(inches) => (inches, INCH_MM),
+            None => (name.strip_suffix("mm").unwrap_or(&name), 1.0),
+        };
+        let side_mm = |text: &str| {
+            let side: f64 = text.trim().parse().ok()?;
+            // Inches have at most three decimal places in mm.
+            let side_mm = (side * unit_mm * 1000.0).round() / 1000.0;
+            SIDE_MM.contains(&side_mm).then_some(side_mm)
+        };
         sides
-            .and_then(|(width, height)| Some(size(number(width)?, number(height)?)))
-            .ok_or("allowed are a3, a4, a5, a6, letter, legal, and WIDTHxHEIGHT from 10 to 2000 mm")
+            .split_once('x')
+            .and_then(|(width, height)| Some(size(side_mm(width)?, side_mm(height)?)))
+            .ok_or(ALLOWED)
     }
 }
 
@@ -189,14 +199,22 @@ const fn down(right: Vec2) -> Vec2 {
 }
 
 /// Named sizes with width and height.
-const NAMED: [(&str, f64, f64); 6] = [
+const NAMED: [(&str, f64, f64); 11] = [
     ("a3", 297.0, 420.0),
     ("a4", 210.0, 297.0),
     ("a5", 148.0, 210.0),
     ("a6", 105.0, 148.0),
+    ("a7", 74.0, 105.0),
+    ("b5", 176.0, 250.0),
+    ("b6", 125.0, 176.0),
     ("letter", 215.9, 279.4),
     ("legal", 215.9, 355.6),
+    ("tabloid", 279.4, 431.8),
+    // As printers name it; that of Europe is an A6 sheet.
+    ("postcard", 100.0, 148.0),
 ];
+const ALLOWED: &str = "allowed are a3, a4, a5, a6, a7, b5, b6, letter, legal, tabloid, postcard, and WIDTHxHEIGHT from 10 to 2000 mm, as in 210x148 or 5x7in";
+const INCH_MM: f64 = 25.4;
 const SIDE_MM: std::ops::RangeInclusive<f64> = 10.0..=2000.0;
 
 #[cfg(test)]
@@ -217,8 +235,46 @@ mod tests {
             "85.5x54".parse::<PaperSize>().unwrap().to_string(),
             "85.5x54"
         );
-        for wrong in ["", "a7", "10", "5x5", "nanx100", "100x1e9"] {
+        for wrong in [
+            "", "a9", "10", "5x5", "nanx100", "100x1e9", "0.3x7in", "5x7ft", "in",
+        ] {
             assert!(wrong.parse::<PaperSize>().is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn sizes_in_inches_are_exact_in_millimetres() {
+        for (inches, mm) in [
+            ("5x7in", "127x177.8"),
+            ("8.5 x 11 in", "215.9x279.4"),
+            ("4X6IN", "101.6x152.4"),
+        ] {
+            assert_eq!(inches.parse::<PaperSize>().unwrap().to_string(), mm);
+        }
+        assert_eq!(
+            "210x148mm".parse::<PaperSize>().unwrap().to_string(),
+            "210x148"
+        );
+        assert_eq!("tabloid".parse::<PaperSize>(), "11x17in".parse());
+        assert_eq!("letter".parse::<PaperSize>(), "8.5x11in".parse());
+    }
+
+    #[test]
+    fn every_named_size_is_in_the_error_and_fits_twice_into_the_next_one_of_its_series() {
+        let size = |name: &str| name.parse::<PaperSize>().unwrap();
+        for (name, ..) in NAMED {
+            assert!(ALLOWED.contains(name), "{name}");
+        }
+        for (larger, smaller) in [
+            ("a3", "a4"),
+            ("a4", "a5"),
+            ("a5", "a6"),
+            ("a6", "a7"),
+            ("b5", "b6"),
+        ] {
+            let (larger, smaller) = (size(larger), size(smaller));
+            assert_eq!(larger.width_mm, smaller.height_mm);
+            assert_eq!((larger.height_mm / 2.0).floor(), smaller.width_mm);
         }
     }
 

@@ -10,15 +10,17 @@ use dobot_plan::{ArmLimits, DrawingTool, Laser, Paper, Pass, Pen};
 use dobot_wire::Dialect;
 
 use super::check::check;
+use super::placement::{center, marks, placement, wrap_texts};
 use super::{ContentOptions, Options, OptionsError, PassesBy, PlaceOptions, Spacing, ToolOptions};
 use crate::arm::calibrated::known_paper;
-use crate::layout::place::{AREA, Placement, Size};
-use crate::layout::sheet::SheetPlace;
+use crate::layout::place::PlaceError;
 use crate::layout::test_card::Card;
 use crate::material::{Material, Materials, UnknownMaterial};
 use crate::preparation::cancel::CancelToken;
 use crate::preparation::progress::Progress;
-use crate::prepare::{NamedSource, Prepared, Settings, prepare_multi_file, prepare_passes};
+use crate::prepare::{
+    NamedSource, PrepareError, Prepared, Settings, prepare_multi_file, prepare_passes,
+};
 use crate::strokes::cutting::Cutting;
 use crate::strokes::hatch::Hatch;
 
@@ -128,16 +130,20 @@ impl DrawingRequest {
         subject: Subject,
         materials: &Materials,
     ) -> Result<Self, OptionsError> {
-        let Subject { title, sources } = subject;
+        let Subject { title, mut sources } = subject;
         let material = material(&options.tool, materials)?;
         let tool = with_options(material.tool, &options.tool)?;
         check(&options, &sources, &title)?;
+        let placement = placement(&options, &sources)?;
+        wrap_texts(&mut sources, &options, &placement);
         let needs_fonts = sources.iter().any(|source| source.source.needs_fonts());
         let settings = Settings {
             tolerance_mm: options.way.tolerance,
-            placement: placement(&options, &sources)?,
+            placement,
             grid: options.place.grid,
             gap_mm: options.place.gap,
+            marks: marks(&options.place),
+            keeps_text_height: options.what.height.is_some(),
             tool,
             keeps_speed: options.tool.speed.is_some(),
             layers: options.what.layers,
@@ -219,13 +225,59 @@ impl DrawingRequest {
             },
             ..self.settings.clone()
         };
-        let tool = settings.tool.end_effector();
-        let reachable = |position| reachable(position, tool);
         let prepared = match &self.what {
-            Drawable::Sources(all) => prepare_multi_file(all, &settings, reachable),
-            Drawable::Passes(passes) => prepare_passes(passes.clone(), &settings, reachable),
+            Drawable::Sources(all) => prepare_multi_file(all, &settings, reach_of(&settings)),
+            Drawable::Passes(passes) => {
+                prepare_passes(passes.clone(), &settings, reach_of(&settings))
+            }
         };
-        Ok((prepared?, settings))
+        match prepared {
+            Ok(prepared) => Ok((prepared, settings)),
+            Err(PrepareError::Place(error)) => Err(self.misplaced(error, &settings)),
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// Adds the option with which the drawing would fit, if there is one, to an error.
+    fn misplaced(&self, error: PlaceError, settings: &Settings) -> OptionsError {
+        let may_fit = matches!(
+            error,
+            PlaceError::TooLarge { .. }
+                | PlaceError::BeyondSheet { .. }
+                | PlaceError::OutOfReach { .. }
+                | PlaceError::WayOutOfReach { .. }
+        );
+        let mut remedies = REMEDIES.iter().filter(|_| may_fit);
+        match remedies.find(|(change, _)| self.fits_with(*change, settings)) {
+            Some((_, remedy)) => OptionsError::DoesNotFit { error, remedy },
+            None => PrepareError::Place(error).into(),
+        }
+    }
+
+    /// Whether the drawing can be prepared with a change of its placement.
+    fn fits_with(&self, change: fn(&mut PlaceOptions), settings: &Settings) -> bool {
+        let Drawable::Sources(all) = &self.what else {
+            return false;
+        };
+        let mut options = self.options.clone();
+        change(&mut options.place);
+        let is_other = options.place != self.options.place;
+        if !is_other || check(&options, all, &self.title).is_err() {
+            return false;
+        }
+        let Ok(placement) = placement(&options, all) else {
+            return false;
+        };
+        let mut sources = all.clone();
+        wrap_texts(&mut sources, &options, &placement);
+        let settings = Settings {
+            placement,
+            // The order of the file takes no time to find.
+            tries: None,
+            progress: Progress::default(),
+            ..settings.clone()
+        };
+        prepare_multi_file(&sources, &settings, reach_of(&settings)).is_ok()
     }
 
     /// Returns the paper: through the touched points, at the given height, or at the arm's height.
@@ -334,78 +386,6 @@ fn card(options: &Options, tool: DrawingTool, spacing_mm: f64) -> Result<Vec<Pas
     Ok(card.to_passes()?)
 }
 
-fn placement(options: &Options, sources: &[NamedSource]) -> Result<Placement, OptionsError> {
-    // A picture beside other files has the size given by its resolution.
-    let fills = !sources.is_empty() && sources.iter().all(|source| !source.source.has_size());
-    let sheet = sheet(&options.place)?;
-    Ok(Placement {
-        size: match (options.place.fit || fills, options.place.scale) {
-            (_, Some(factor)) => Size::Scaled(factor),
-            (true, None) => Size::Fit,
-            (false, None) => Size::Within,
-        },
-        margin_mm: options.place.margin,
-        rotate_deg: options.place.rotate,
-        center: center(options).filter(|_| sheet.is_none()),
-        mirrors: options.place.mirror,
-        sheet,
-        clips: options.place.clip,
-        ..Placement::default()
-    })
-}
-
-/// The height of a virtual arm's paper, also used for planning while no arm reports its height: Z,
-/// in mm.
-pub const WITHOUT_ARM_Z_MM: f64 = -40.0;
-/// The minimum distance of a sheet's lower edge in front of the arm.
-const NEAREST_MM: f64 = 140.0;
-/// The distance below the sheet's lower edge at which the touches may be, because people rarely hit
-/// the edge exactly.
-const TOUCHED_BELOW_MM: f64 = 5.0;
-/// In characters.
-const LONGEST_TITLE: usize = 60;
-
-/// Returns the sheet: through the touched points, at its corner or centre, or as close in front of
-/// the arm as its whole lower edge can be reached.
-fn sheet(place: &PlaceOptions) -> Result<Option<SheetPlace>, OptionsError> {
-    let Some(size) = place.paper_size else {
-        return Ok(None);
-    };
-    let size = if place.landscape {
-        size.landscape()
-    } else {
-        size
-    };
-    if let Some(&[ax, ay, _, bx, by, _, cx, cy, _]) = place.paper.as_deref() {
-        let [a, b, c] = [(ax, ay), (bx, by), (cx, cy)].map(Point::from);
-        let touched = SheetPlace::through(size, a, b).ok_or(OptionsError::SamePoint)?;
-        let below_mm = touched.on_sheet(c).y - size.height_mm;
-        if below_mm > TOUCHED_BELOW_MM {
-            return Err(OptionsError::BelowSheet(below_mm));
-        }
-        return Ok(Some(touched));
-    }
-    if let Some(&[x_mm, y_mm]) = place.corner.as_deref() {
-        let corner = Point::new(x_mm, y_mm);
-        return Ok(Some(SheetPlace::from_lower_left(size, corner)));
-    }
-    let middle = match place.at.as_deref() {
-        Some(&[x_mm, y_mm]) => Point::new(x_mm, y_mm),
-        _ => Point::new(
-            (NEAREST_MM + size.height_mm / 2.0).max(AREA.center().x),
-            0.0,
-        ),
-    };
-    Ok(Some(SheetPlace::centered(size, middle)))
-}
-
-fn center(options: &Options) -> Option<Point> {
-    match options.place.at.as_deref() {
-        Some(&[x_mm, y_mm]) => Some(Point::new(x_mm, y_mm)),
-        _ => None,
-    }
-}
-
 fn hatch(what: &ContentOptions, material: &Material) -> Option<Hatch> {
     let spacing_mm = match what.hatch? {
         Spacing::OfTool(_) => material.spacing_mm,
@@ -439,10 +419,48 @@ fn shading(options: &Options, tool: DrawingTool) -> Shading {
     }
 }
 
-fn reachable(position: Position, tool: dobot_arm::Tool) -> Result<(), Unreachable> {
-    let pose = Pose {
-        position,
-        rotation: position.direction(),
-    };
-    Limits::STOCK.solve(&pose, tool).map(|_| ())
+/// Returns the check whether the arm reaches a position with the tool of these settings.
+fn reach_of(settings: &Settings) -> impl Fn(Position) -> Result<(), Unreachable> + use<> {
+    let tool = settings.tool.end_effector();
+    move |position| {
+        let pose = Pose {
+            position,
+            rotation: position.direction(),
+        };
+        Limits::STOCK.solve(&pose, tool).map(|_| ())
+    }
 }
+
+/// A change that may make a drawing fit, and the hint for it.
+type Remedy = (fn(&mut PlaceOptions), &'static str);
+
+/// The remedies in the order in which they are tried.
+const REMEDIES: [Remedy; 5] = [
+    (
+        |place| place.landscape |= place.paper_size.is_some() && place.paper.is_none(),
+        "use `place.landscape`; then it fits",
+    ),
+    (
+        |place| {
+            if place.rotate == 0.0 {
+                place.rotate = 90.0;
+            }
+        },
+        "use `place.rotate 90`; then it fits",
+    ),
+    (
+        |place| place.fit |= place.scale.take().is_some(),
+        "use `place.fit` instead of `place.scale`; then it fits",
+    ),
+    (|place| place.fit = true, "use `place.fit`; then it fits"),
+    (
+        |place| place.clip = true,
+        "use `place.clip` to draw only the part that fits",
+    ),
+];
+
+/// The height of a virtual arm's paper, also used for planning while no arm reports its height: Z,
+/// in mm.
+pub const WITHOUT_ARM_Z_MM: f64 = -40.0;
+/// In characters.
+const LONGEST_TITLE: usize = 60;

@@ -29,11 +29,24 @@ pub(super) fn check(
             other: "FILE",
         });
     }
+    if matches!(kinds[..], [SourceKind::Text]) && options.what.height.is_some() {
+        let place = &options.place;
+        let sized = [
+            ("place.fit", place.fit),
+            ("place.scale", place.scale.is_some()),
+        ];
+        if let Some((other, _)) = sized.into_iter().find(|option| option.1) {
+            return Err(OptionsError::Both {
+                field: "what.height",
+                other,
+            });
+        }
+    }
     let apart = options.place.gap != PlaceOptions::default().gap;
-    if apart && options.place.grid.is_none() && matches!(kinds[..], [SourceKind::Text]) {
+    if apart && !has_gaps(&options.place) && matches!(kinds[..], [SourceKind::Text]) {
         return Err(OptionsError::Alone {
             field: "place.gap",
-            needs: "place.grid, or a file above the text",
+            needs: "place.grid, place.border, place.sign, or a file above the text",
         });
     }
     let misfit = given(options)
@@ -61,6 +74,11 @@ pub(super) fn check_values(options: &Options) -> Result<(), OptionsError> {
     counts(options)?;
     ranges(options)?;
     combinations(options)
+}
+
+/// Whether there are gaps between copies or inside marks.
+const fn has_gaps(place: &PlaceOptions) -> bool {
+    place.grid.is_some() || place.border || place.sign.is_some()
 }
 
 /// Checks that coordinates are finite and complete.
@@ -131,7 +149,7 @@ fn combinations(options: &Options) -> Result<(), OptionsError> {
 }
 
 /// Returns the options that exclude each other.
-fn exclusive(options: &Options) -> [Pair; 12] {
+fn exclusive(options: &Options) -> [Pair; 17] {
     let Options {
         what,
         place,
@@ -145,6 +163,7 @@ fn exclusive(options: &Options) -> [Pair; 12] {
     let touched = place.paper.is_some();
     let cornered = place.corner.is_some();
     let turned = what.hatch_angle != defaults.what.hatch_angle;
+    let is_tsp = what.shade == Some(ShadingStyle::Tsp);
     let winds = what.hatch_style != defaults.what.hatch_style;
     [
         (
@@ -164,12 +183,7 @@ fn exclusive(options: &Options) -> [Pair; 12] {
         ("place.corner", cornered, "place.paper", touched),
         ("tool.pen", by_pen, "tool.laser", by_laser),
         ("way.keep_order", way.keep_order, "way.tries", tries),
-        (
-            "way.keep_order",
-            way.keep_order,
-            "what.shade tsp",
-            what.shade == Some(ShadingStyle::Tsp),
-        ),
+        ("way.keep_order", way.keep_order, "what.shade tsp", is_tsp),
         ("tool.lift", tool.lift.is_some(), "tool.laser", by_laser),
         (
             "what.levels",
@@ -184,11 +198,27 @@ fn exclusive(options: &Options) -> [Pair; 12] {
             winds,
         ),
         ("what.cross", what.cross, "what.hatch_style", winds),
+        (
+            "what.justify",
+            what.justify,
+            "what.align",
+            what.align.is_some(),
+        ),
+        // Everything becomes one line.
+        ("what.text", what.text.is_some(), "what.shade tsp", is_tsp),
+        ("place.border", place.border, "what.shade tsp", is_tsp),
+        (
+            "place.crop_marks",
+            place.crop_marks,
+            "what.shade tsp",
+            is_tsp,
+        ),
+        ("place.sign", place.sign.is_some(), "what.shade tsp", is_tsp),
     ]
 }
 
 /// Returns the options that require another one.
-fn dependent(options: &Options) -> [Pair; 16] {
+fn dependent(options: &Options) -> [Pair; 17] {
     let Options {
         what, place, tool, ..
     } = options;
@@ -211,8 +241,14 @@ fn dependent(options: &Options) -> [Pair; 16] {
         (
             "place.gap",
             apart,
-            "place.grid or what.text",
-            place.grid.is_some() || what.text.is_some(),
+            "place.grid, place.border, place.sign or what.text",
+            has_gaps(place) || what.text.is_some(),
+        ),
+        (
+            "what.justify",
+            what.justify,
+            "what.wrap or place.paper_size",
+            what.wrap.is_some() || sheet,
         ),
         (
             "what.levels",
@@ -351,7 +387,7 @@ impl fmt::Display for Purpose {
 }
 
 /// Returns each field, whether it is given, and its purpose. Values set by a material do not count.
-fn given(options: &Options) -> [(&'static str, bool, Purpose); 33] {
+fn given(options: &Options) -> [(&'static str, bool, Purpose); 38] {
     let Options {
         what, place, tool, ..
     } = options;
@@ -371,6 +407,8 @@ fn given(options: &Options) -> [(&'static str, bool, Purpose); 33] {
         ("what.font", what.font.is_some(), Purpose::Texts),
         ("what.height", what.height.is_some(), Purpose::Texts),
         ("what.align", what.align.is_some(), Purpose::Texts),
+        ("what.wrap", what.wrap.is_some(), Purpose::Texts),
+        ("what.justify", what.justify, Purpose::Texts),
         (
             "what.card_passes",
             what.card_passes.is_some(),
@@ -395,6 +433,9 @@ fn given(options: &Options) -> [(&'static str, bool, Purpose); 33] {
         ("place.scale", place.scale.is_some(), Purpose::Drawings),
         ("place.rotate", place.rotate != 0.0, Purpose::Drawings),
         ("place.margin", place.margin != 0.0, Purpose::Drawings),
+        ("place.border", place.border, Purpose::Drawings),
+        ("place.crop_marks", place.crop_marks, Purpose::Drawings),
+        ("place.sign", place.sign.is_some(), Purpose::Drawings),
         ("place.clip", place.clip, Purpose::Drawings),
         ("tool.speed", tool.speed.is_some(), Purpose::Drawings),
         ("tool.passes", tool.passes.is_some(), Purpose::Drawings),
@@ -444,7 +485,7 @@ mod tests {
             ),
             (
                 r#"{"place": {"gap": 9}}"#,
-                "place.gap has no effect without place.grid or what.text",
+                "place.gap has no effect without place.grid, place.border, place.sign or what.text",
             ),
             (
                 r#"{"what": {"shade": "stipple", "levels": 3}}"#,

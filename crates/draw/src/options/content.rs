@@ -20,13 +20,18 @@ use crate::strokes::hatch::HatchStyle;
 pub struct ContentOptions {
     /// Text to draw, alone or below the files; \n starts a new line
     pub text: Option<String>,
-    /// Font of `what.text`: a single-stroke font (sans, script, serif, gothic), or any installed
-    /// font (default: sans)
+    /// Font of `what.text`: a single-stroke font (sans, bold, script, serif, italic, gothic, hand),
+    /// an SVG font (its file; in JSON its content), or any installed font (default: sans)
     pub font: Option<String>,
-    /// Capital height of `what.text`, in mm (default: 10)
+    /// Capital height of `what.text` on the paper, in mm (default: 10 mm, scaled with the drawing)
     pub height: Option<f64>,
     /// Alignment of `what.text`: left, center or right (default: left)
     pub align: Option<Align>,
+    /// Width at which lines of `what.text` are wrapped, in mm (default: at the margins of
+    /// `place.paper_size`)
+    pub wrap: Option<f64>,
+    /// Widen spaces so that wrapped lines have the full width
+    pub justify: bool,
     /// Burn a laser test card with a column for each of these speeds, in mm/s
     pub card: Option<Vec<f64>>,
     /// Number of rows of the test card: row n is burned n times (default: 3)
@@ -37,8 +42,8 @@ pub struct ContentOptions {
     pub card_gap: Option<f64>,
     /// Label below the test card (default: the name of the material and the date)
     pub card_label: Option<String>,
-    /// Split an SVG file into layers by colour or outermost group, other files by their layers;
-    /// each is drawn separately, and the arm waits for its pen
+    /// Split an SVG file into layers by `color`, outermost `group` or line `width`, other files by
+    /// their layers; each is drawn separately, and the arm waits for its pen
     pub layers: Option<LayersBy>,
     /// Draw a layer with its own pen or material
     pub layer: Vec<LayerTool>,
@@ -92,6 +97,8 @@ impl Default for ContentOptions {
             font: None,
             height: None,
             align: None,
+            wrap: None,
+            justify: false,
             card: None,
             card_passes: None,
             card_size: None,

@@ -111,6 +111,14 @@ pub enum OptionsError {
     /// The paper is invalid.
     #[error(transparent)]
     Paper(#[from] PaperError),
+    /// The drawing does not fit, but would with another option.
+    #[error("{error}")]
+    DoesNotFit {
+        /// The position that is out of reach, or the size that is too large.
+        error: PlaceError,
+        /// What to do.
+        remedy: &'static str,
+    },
     /// The drawing cannot be prepared.
     #[error(transparent)]
     Prepare(#[from] PrepareError),
@@ -141,6 +149,7 @@ impl OptionsError {
             Self::CardByPen => {
                 Some("add `tool.laser MATERIAL`; `dobot materials` lists them".to_owned())
             }
+            Self::DoesNotFit { remedy, .. } => Some((*remedy).to_owned()),
             Self::Prepare(PrepareError::Place(PlaceError::TooLarge { .. })) => {
                 Some("use `place.fit` instead of `place.scale` to fit the drawing area, `place.clip` to draw only the part within reach, or `place.at X Y` to move its centre".into())
             }

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use dobot_import::{Shading, Text};
+use dobot_import::{Shading, Text, Wrap};
 use schemars::transform::Transform;
 use schemars::{Schema, schema_for};
 use serde_json::{Map, Value};
@@ -28,8 +28,9 @@ pub struct OptionRange {
 
 /// The ranges of all numbers that are independent of the content.
 #[rustfmt::skip]
-pub static OPTION_RANGES: [OptionRange; 25] = [
+pub static OPTION_RANGES: [OptionRange; 26] = [
     range("what.height", Text::HEIGHT_MM, "mm", |options| options.what.height),
+    range("what.wrap", Wrap::WIDTH_MM, "mm", |options| options.what.wrap),
     range("what.card_passes", Card::PASSES, "times", |options| options.what.card_passes.map(f64::from)),
     range("what.card_size", Card::CELL_MM, "mm", |options| options.what.card_size),
     range("what.card_gap", Card::GAP_MM, "mm", |options| options.what.card_gap),

@@ -16,8 +16,8 @@ use crate::layout::sheet::PaperSize;
 #[serde(default, deny_unknown_fields)]
 #[schemars(transform = Ranges("place"))]
 pub struct PlaceOptions {
-    /// Sheet to draw on: a3, a4, a5, a6, letter, legal, or `210x148` in mm; the page of the file
-    /// keeps its upper left corner
+    /// Sheet to draw on: a3 to a7, b5, b6, letter, legal, tabloid, postcard, `210x148` in mm or
+    /// `5x7in`; the page of the file keeps its upper left corner
     pub paper_size: Option<PaperSize>,
     /// Place the sheet with its longer side from left to right
     pub landscape: bool,
@@ -32,15 +32,22 @@ pub struct PlaceOptions {
     pub at: Option<Vec<f64>>,
     /// Mirror left and right
     pub mirror: bool,
-    /// Draw copies in a grid of columns and rows, as in 3x2; several files fill the cells in turn
+    /// Draw copies in a grid of columns and rows, as in 3x2; several files fill the cells in turn,
+    /// with `place.fit` each as large as its cell allows
     pub grid: Option<Grid>,
-    /// Gap between the copies or files of `place.grid`, and between a file and `what.text` below
-    /// it, in mm of the file
+    /// Gap between the copies or files of `place.grid`, between a file and `what.text` below it, and
+    /// inside `place.border`, in mm of the file
     pub gap: f64,
     /// Rotation counterclockwise, in degrees
     pub rotate: f64,
     /// Margin of the sheet or the drawing area, in mm
     pub margin: f64,
+    /// Draw a border at the margin of the sheet, or around the drawing
+    pub border: bool,
+    /// Draw crop marks outside the corners of the border
+    pub crop_marks: bool,
+    /// Sign in the lower right corner with this text, in script letters 4 mm high
+    pub sign: Option<String>,
     /// Cut off what lies beyond the sheet or out of reach, instead of refusing the drawing
     pub clip: bool,
     /// Z at which the pen draws, in mm (default: the current height of the arm; -40 for a virtual
@@ -68,6 +75,9 @@ impl Default for PlaceOptions {
             gap: 5.0,
             rotate: 0.0,
             margin: 0.0,
+            border: false,
+            crop_marks: false,
+            sign: None,
             clip: false,
             pen_down: None,
             paper: None,

@@ -296,11 +296,7 @@ impl Lines {
         warnings: &mut Vec<Warning>,
     ) -> Vec<Stroke> {
         if !tool.burns() {
-            let strokes = in_order(vec![self.own], here, tool, settings);
-            let strokes = strokes.into_iter();
-            return strokes
-                .map(|stroke| gone_over(stroke, settings.pen_passes))
-                .collect();
+            return drawn_by_pen(self.own, here, tool, settings);
         }
         let cutting = settings.cutting_of(tool);
         let (own, gone) = cutting.offset(self.own, others, settings.flatten_mm());
@@ -361,6 +357,26 @@ fn width_mm(shape: &Stroke) -> f64 {
     let part = |pair: &[Point]| (pair[0] - first).cross(pair[1] - first);
     let twice_mm2: f64 = shape.points.windows(2).map(part).sum();
     twice_mm2.abs() / shape.length_mm()
+}
+
+/// Orders the strokes of a pen that comes from `here`, each repeated as requested.
+fn drawn_by_pen(
+    own: Vec<Stroke>,
+    here: Point,
+    tool: DrawingTool,
+    settings: &Settings,
+) -> Vec<Stroke> {
+    let repeated = |strokes: Vec<Stroke>| {
+        let strokes = strokes.into_iter();
+        strokes.map(|stroke| gone_over(stroke, settings.pen_passes))
+    };
+    if settings.joins_dots() {
+        // Only the whole line can be repeated without lifting the pen.
+        let line = in_order(vec![own], here, tool, settings);
+        return repeated(line).collect();
+    }
+    // Repetition moves the ends of a stroke, on which the best order depends.
+    in_order(vec![repeated(own).collect()], here, tool, settings)
 }
 
 /// Orders groups of strokes one after another, for a tool that comes from `here`.

@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{Point, Rect, Stroke, bounds};
 use dobot_import::{Artwork, Layer, ReadOptions, Source, SourceError, Warning};
 
+use super::passes::counted;
 use super::{NamedSource, PrepareError, Settings};
-use crate::layout::multi_file::combine;
-use crate::layout::place::Placed;
+use crate::layout::multi_file::{combine, is_text, scales};
+use crate::layout::place::{PlaceError, Placed, Placement, Size};
 
 /// Reads the layers on the paper, within the share of the tolerance for curves.
 ///
@@ -27,30 +28,25 @@ pub(super) fn read(
     };
     let begin = |source| Reading::begin(source, settings).map_err(|error| named(source, error));
     let mut readings: Vec<Reading> = sources.iter().map(begin).collect::<Result<_, _>>()?;
-    let place = |readings: &mut [Reading], for_good| {
-        let parts = readings
-            .iter_mut()
-            .map(|reading| reading.part(for_good))
-            .collect();
-        settings.placement.place(combine(parts, settings)?)
-    };
     // Sources in their final size need not be kept.
     let for_good = readings
         .iter()
         .all(|reading| reading.source.source.is_same_at_any_size());
-    let mut placed = place(&mut readings, for_good)?;
+    let mut page = PlacedPage::new(&mut readings, settings, for_good)?;
     let most_reads = if for_good { 0 } else { MAX_READS };
     for _ in 0..most_reads {
         let mut is_as_thought = true;
-        for reading in &mut readings {
-            let read = reading.read_for(placed.scale, settings.flatten_mm());
+        for (reading, scale) in readings.iter_mut().zip(page.scales()) {
+            let read = reading.read_for(scale, settings.flatten_mm());
             is_as_thought &= !read.map_err(|error| named(reading.source, error))?;
         }
         if is_as_thought {
             break;
         }
-        placed = place(&mut readings, false)?;
+        page = PlacedPage::new(&mut readings, settings, false)?;
     }
+    let scaled_down = page.scaled_down(sources, settings);
+    let scale = page.scale(sources);
     let warnings = readings.into_iter().flat_map(|reading| {
         let file = (!is_alone).then(|| reading.source.name.clone());
         let in_file = move |warning| Warning {
@@ -59,7 +55,117 @@ pub(super) fn read(
         };
         reading.warnings.into_iter().map(in_file)
     });
-    Ok((placed, warnings.collect()))
+    let placed = Placed {
+        scale,
+        ..page.placed
+    };
+    Ok((placed, warnings.chain(scaled_down).collect()))
+}
+
+/// All sources on the paper.
+struct PlacedPage {
+    /// The page; its scale is that of the page.
+    placed: Placed,
+    /// The scale of each source on the page.
+    on_page: Vec<f64>,
+}
+
+impl PlacedPage {
+    /// Places the sources. Texts that keep their height are smaller on a page that is enlarged,
+    /// which changes the size of the page: this is repeated until both agree.
+    fn new(
+        readings: &mut [Reading],
+        settings: &Settings,
+        for_good: bool,
+    ) -> Result<Self, PlaceError> {
+        let sources: Vec<&Source> = readings
+            .iter()
+            .map(|reading| &reading.source.source)
+            .collect();
+        let inks: Vec<Rect> = readings
+            .iter()
+            .map(|reading| bounds(reading.artwork.points()))
+            .collect();
+        let has_text = sources.iter().any(|source| is_text(source));
+        let keeps_height = has_text && settings.keeps_text_height;
+        let mut page_scale = 1.0;
+        for _ in 0..MAX_ROUNDS {
+            let on_page = scales(&sources, &inks, settings, page_scale)?;
+            let parts = readings.iter_mut().zip(&on_page).map(|(reading, scale)| {
+                let (source, artwork) = reading.part(for_good);
+                (source, artwork.scaled(*scale))
+            });
+            let placed = settings
+                .placement
+                .place(combine(parts.collect(), settings)?)?;
+            if !keeps_height || (placed.scale / page_scale - 1.0).abs() < SAME_HEIGHT {
+                return Ok(Self { placed, on_page });
+            }
+            page_scale = placed.scale;
+            if sources.iter().all(|source| is_text(source)) || page_scale < SMALLEST_SCALE {
+                break;
+            }
+        }
+        Err(too_large(readings, settings)?)
+    }
+
+    /// Returns the scale of each source on the paper.
+    fn scales(&self) -> impl Iterator<Item = f64> {
+        self.on_page.iter().map(|scale| scale * self.placed.scale)
+    }
+
+    /// Returns the scale of the files, or that of the page if they differ.
+    fn scale(&self, sources: &[NamedSource]) -> f64 {
+        let is_file = |source: &NamedSource| !is_text(&source.source);
+        let files = sources.iter().zip(self.scales());
+        let mut files = files.filter(|file| is_file(file.0)).map(|file| file.1);
+        let first = files.next();
+        let common = first.filter(|first| files.all(|scale| scale == *first));
+        common.unwrap_or(self.placed.scale)
+    }
+
+    /// Warns that the drawing is smaller than it should be.
+    fn scaled_down(&self, sources: &[NamedSource], settings: &Settings) -> Option<Warning> {
+        let is_smaller = settings.placement.size == Size::Within && self.placed.scale < 1.0;
+        let percent = 100.0 * self.placed.scale;
+        let mut instead =
+            format!("scaled down to {percent:.1} % to fit; place.scale 1 keeps its size");
+        if sources.iter().all(|source| is_text(&source.source)) {
+            instead += ", and what.wrap breaks long lines";
+        }
+        counted(usize::from(is_smaller), "drawing", &instead)
+    }
+}
+
+/// Returns the error for texts that do not fit with their height.
+fn too_large(readings: &mut [Reading], settings: &Settings) -> Result<PlaceError, PlaceError> {
+    let within = Placement {
+        size: Size::Within,
+        ..settings.placement
+    };
+    let mut found = [0.0, f64::INFINITY];
+    for reading in readings {
+        if let Source::Text(text) = &reading.source.source {
+            let mut scale = 1.0;
+            // The gaps between copies keep their size, so the first result is not exact.
+            for _ in 0..MAX_ROUNDS {
+                let (source, artwork) = reading.part(false);
+                let alone = combine(vec![(source, artwork.scaled(scale))], settings)?;
+                let fitting = within.place(alone)?.scale;
+                scale *= fitting;
+                if fitting > 1.0 - SAME_HEIGHT {
+                    break;
+                }
+            }
+            found = [text.height_mm, found[1].min(scale * text.height_mm)];
+        }
+    }
+    let [height_mm, most_mm] = found;
+    Ok(PlaceError::TextTooLarge {
+        height_mm,
+        // Rounded down, so that it fits.
+        most_mm: (100.0 * most_mm).floor() / 100.0,
+    })
 }
 
 /// The last reading of a source.
@@ -166,6 +272,12 @@ fn read_coarsely(
 
 /// Once for the page of a picture, and once more if its ink is much smaller.
 const MAX_READS: u32 = 2;
+/// The number of times that a page with texts of a fixed height is placed.
+const MAX_ROUNDS: u32 = 100;
+/// The accuracy of such a height.
+const SAME_HEIGHT: f64 = 1e-6;
+/// A page this small shows nothing but its texts.
+const SMALLEST_SCALE: f64 = 1e-4;
 /// The coarsest accuracy: a file with too many corners even then would have too many on the paper.
 const COARSEST_MM: f64 = 100.0;
 const COARSER: f64 = 30.0;

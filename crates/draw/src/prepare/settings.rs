@@ -11,6 +11,7 @@ use dobot_plan::{ArmLimits, DrawingTool, Paper};
 use super::PrepareError;
 use crate::arm::resume_point::ResumePoint;
 use crate::layout::copies::Grid;
+use crate::layout::marks::Marks;
 use crate::layout::place::Placement;
 use crate::preparation::cancel::CancelToken;
 use crate::preparation::progress::Progress;
@@ -35,6 +36,10 @@ pub struct Settings {
     pub grid: Option<Grid>,
     /// The gap in the grid, and between drawing and text, in mm of the page.
     pub gap_mm: f64,
+    /// What is drawn around the drawing.
+    pub marks: Marks,
+    /// Whether texts keep their height on the paper, however the drawing is scaled.
+    pub keeps_text_height: bool,
     /// The paper.
     pub paper: Paper,
     /// The calibration; none by default. With one, drawings are converted to raw positions, and
@@ -139,7 +144,7 @@ impl Settings {
     }
 
     /// Returns the share of the tolerance for reading curves.
-    pub(super) fn flatten_mm(&self) -> f64 {
+    pub(crate) fn flatten_mm(&self) -> f64 {
         self.tolerance_mm * FLATTEN_SHARE
     }
 }
@@ -152,6 +157,8 @@ impl Default for Settings {
             placement: Placement::default(),
             grid: None,
             gap_mm: 5.0,
+            marks: Marks::default(),
+            keeps_text_height: false,
             paper: Paper::default(),
             calibration: None,
             arm_limits: ArmLimits::default(),

@@ -389,6 +389,55 @@ fn a_pen_draws_each_line_as_often_as_requested() {
 }
 
 #[test]
+fn any_number_of_passes_needs_no_more_travel_than_one() {
+    let rows = (0..16).map(|row| format!("M10 {}H110", 10 + 4 * row));
+    let rows = rows.collect::<Vec<_>>().concat();
+    let svg = format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="80mm" viewBox="0 0 120 80"><path d="{rows}" stroke="red"/></svg>"#
+    );
+    for pen_passes in 1..=4 {
+        let settings = Settings {
+            pen_passes,
+            ..Settings::default()
+        };
+        let prepared = prepare(&svg.as_str().into(), &settings, anywhere).unwrap();
+        let summary = prepared.plan.summary();
+        assert_eq!(summary.strokes, 16);
+        assert!((summary.drawn_mm - 1600.0 * f64::from(pen_passes)).abs() < 0.01);
+        let strokes = &prepared.passes[0].strokes;
+        let between = strokes
+            .windows(2)
+            .map(|pair| pair[0].last().unwrap().distance(pair[1].points[0]));
+        // 15 ways of 4 mm between 16 rows.
+        let travel_mm: f64 = between.sum();
+        assert!(
+            (travel_mm - 60.0).abs() < 0.001,
+            "{pen_passes} passes: {travel_mm} mm"
+        );
+    }
+}
+
+#[test]
+fn the_single_line_of_a_picture_is_repeated_as_a_whole() {
+    let dots = (0..9).map(|n| vec![Point::new(f64::from(n % 3) * 5.0, f64::from(n / 3) * 5.0)]);
+    let source = Source::Lines(dots.collect());
+    let drawn_mm = |pen_passes| {
+        let settings = Settings {
+            pen_passes,
+            shading: dobot_import::Shading::new(dobot_import::ShadingStyle::Tsp),
+            ..Settings::default()
+        };
+        let summary = prepare(&source, &settings, anywhere)
+            .unwrap()
+            .plan
+            .summary();
+        assert_eq!(summary.strokes, 1);
+        summary.drawn_mm
+    };
+    assert!((drawn_mm(2) - 2.0 * drawn_mm(1)).abs() < 0.01);
+}
+
+#[test]
 fn a_tolerance_too_fine_for_vectors_is_refused() {
     let settings = Settings {
         tolerance_mm: 0.01,

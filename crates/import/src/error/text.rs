@@ -18,6 +18,18 @@ pub enum TextError {
         /// The requested spacing.
         found: f64,
     },
+    /// The width at which lines are wrapped is out of range.
+    #[error("lines are wrapped at {found_mm} mm; allowed are 1 to 10000 mm")]
+    Width {
+        /// The requested width.
+        found_mm: f64,
+    },
+    /// An SVG font cannot be read.
+    #[error("what.font is an SVG font that cannot be used: {what}")]
+    FontFile {
+        /// What is wrong with it.
+        what: String,
+    },
     /// The text is too long.
     #[error("the text has {characters} characters; allowed are {limit}; write it in parts")]
     TooLong {
@@ -38,7 +50,7 @@ pub enum TextError {
 
 fn known(nearest: &[String]) -> String {
     if nearest.is_empty() {
-        let fonts = "sans, bold, script, serif, italic and gothic";
+        let fonts = "sans, bold, script, serif, italic, gothic and hand";
         return format!("no fonts are installed; {fonts} are built in");
     }
     format!("similar ones are {}", nearest.join(", "))

@@ -40,6 +40,10 @@ impl Ink {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LinePaint {
     pub(crate) color: InkColor,
+    /// Its width in units of the shape; `None` for letters in the colour of a fill.
+    pub(crate) width: Option<f64>,
+    /// Whether its width and its dashes are as given on the page, in pixels, however it is scaled.
+    pub(crate) on_page: bool,
     /// Whether its caps are round or square.
     pub(crate) has_ends: bool,
     pub(crate) dashes: Option<Dashes>,
@@ -50,8 +54,6 @@ pub(crate) struct LinePaint {
 pub(crate) struct Dashes {
     pub(crate) lengths: Vec<f64>,
     pub(crate) offset: f64,
-    /// Whether their length on the page is as given, in pixels, however the line is scaled.
-    pub(crate) on_page: bool,
 }
 
 /// A painted inside.
@@ -65,5 +67,5 @@ pub(crate) struct FillPaint {
 
 /// A miter limit, which no pen draws, as a mark of lines with non-scaling strokes: the library
 /// exposes nothing else of them.
-pub(super) const SCREEN_DASHES: f32 = 9_876_543.0;
+pub(super) const SCREEN_LINE: f32 = 9_876_543.0;
 pub(super) const PAPER: [u8; 3] = [255; 3];

@@ -19,6 +19,8 @@ pub(crate) struct Layers {
     by: LayersBy,
     /// The current outermost group.
     group: Option<String>,
+    /// The current line width, in hundredths of a millimetre; `None` for fills.
+    width: Option<u32>,
     found: Vec<Layer>,
     places: HashMap<Key, usize>,
     /// The layer of the last line or area, which is most often that of the next one.
@@ -33,6 +35,7 @@ impl Layers {
         Self {
             by,
             group: None,
+            width: None,
             found: Vec::new(),
             places: HashMap::new(),
             last: None,
@@ -45,6 +48,20 @@ impl Layers {
     pub(crate) fn enter(&mut self, group: Option<String>) {
         self.group = group;
         self.last = None;
+    }
+
+    /// Starts lines of a width on the page, or fills.
+    pub(crate) fn draw_with(&mut self, width_mm: Option<f64>) {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "it saturates"
+        )]
+        let width = width_mm.map(|mm| (mm * 100.0).round() as u32);
+        if self.width != width {
+            self.width = width;
+            self.last = None;
+        }
     }
 
     pub(crate) fn stroke(&mut self, stroke: Stroke, color: InkColor) {
@@ -94,6 +111,7 @@ impl Layers {
         let key = match self.by {
             LayersBy::Color => Key::Color(color),
             LayersBy::Group => Key::Group(self.group.clone()),
+            LayersBy::Width => Key::Width(self.width),
             LayersBy::Nothing => Key::All,
         };
         let place = *self.places.entry(key.clone()).or_insert_with(|| {
@@ -115,15 +133,17 @@ enum Key {
     Color(InkColor),
     /// The name of the group.
     Group(Option<String>),
+    /// The line width, in hundredths of a millimetre.
+    Width(Option<u32>),
     All,
 }
 
 impl Key {
-    /// Whether this colour belongs to the last layer; entering another group leaves it.
+    /// Whether this colour belongs to the last layer; another group or width leaves it.
     fn still_takes(&self, color: InkColor) -> bool {
         match self {
             Self::Color(of) => *of == color,
-            Self::Group(_) | Self::All => true,
+            Self::Group(_) | Self::Width(_) | Self::All => true,
         }
     }
 
@@ -133,6 +153,8 @@ impl Key {
             Self::Color(InkColor(None)) => "pattern".to_owned(),
             Self::Group(Some(name)) => printable(name),
             Self::Group(None) => "outside groups".to_owned(),
+            Self::Width(Some(width)) => format!("{} mm", f64::from(*width) / 100.0),
+            Self::Width(None) => "fills".to_owned(),
             Self::All => "all".to_owned(),
         }
     }

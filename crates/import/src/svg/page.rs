@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use dobot_geometry::{Affine, Area, FillRule, Point, Rect, Stroke, bounds};
 
-use super::ink::{Dashes, FillPaint, Ink, InkColor};
+use super::ink::{Dashes, FillPaint, Ink, InkColor, LinePaint};
 use super::layers::Layers;
 use super::renderer::MM_PER_PX;
 use super::warning_count::{WarningCount, WarningKind};
@@ -102,6 +102,7 @@ impl SvgPage {
         let Some(color) = ink.outline() else {
             return Ok(());
         };
+        self.layers.draw_with(None);
         let mut edges = None;
         if let Some(fill) = ink.area() {
             edges = self.fill(&outlines, transform, fill, clips)?;
@@ -115,6 +116,8 @@ impl SvgPage {
             outlines.retain(has_area);
             outlines.iter_mut().for_each(close);
         }
+        let width_mm = ink.line.as_ref().and_then(|line| width_mm(line, transform));
+        self.layers.draw_with(width_mm);
         for outline in outlines {
             let (pieces, transform) = self.dashes(outline, transform, ink)?;
             for piece in pieces {
@@ -151,18 +154,16 @@ impl SvgPage {
         transform: Affine,
         ink: &Ink,
     ) -> Result<(Vec<Stroke>, Affine), SvgError> {
-        let dashes = ink.line.as_ref().and_then(|line| line.dashes.as_ref());
-        let Some(dashes) = dashes else {
+        let line = ink.line.as_ref();
+        let Some((line, dashes)) = line.and_then(|line| Some((line, line.dashes.as_ref()?))) else {
             return Ok((vec![outline], transform));
         };
         let mut rest = transform;
-        if dashes.on_page {
+        if line.on_page {
             rest = Affine::scale(MM_PER_PX);
             place(&mut outline.points, rest.inverse() * transform)?;
         }
-        let Dashes {
-            lengths, offset, ..
-        } = dashes;
+        let Dashes { lengths, offset } = dashes;
         Ok((dash(outline, lengths, *offset, &mut self.budget)?, rest))
     }
 
@@ -321,6 +322,16 @@ fn shown<'r>(
     Ok(Some(
         shown.map_or_else(|| area.clone(), Polygons::into_area),
     ))
+}
+
+/// The width of a line on the page; the mean if it is scaled differently in two directions.
+fn width_mm(line: &LinePaint, transform: Affine) -> Option<f64> {
+    let scale = if line.on_page {
+        MM_PER_PX
+    } else {
+        transform.determinant().abs().sqrt()
+    };
+    Some(line.width? * scale)
 }
 
 /// The edges of an area, each closed.

@@ -13,7 +13,7 @@ use super::css::{Variables, quoted_families, replaced};
 use super::declared::{Declared, property_of, rules, value_of};
 use super::edits::{Additions, Edit, edited, escaped};
 use super::handles::freed;
-use super::ink::SCREEN_DASHES;
+use super::ink::SCREEN_LINE;
 use super::letters::{anchors, undisplayed};
 use super::page_size::PageSize;
 use super::selectors::Marks;
@@ -106,6 +106,8 @@ struct Rewriter<'a> {
     rules: &'a StyleSheet<'a>,
     /// Whether anything has dashes.
     dashes: bool,
+    /// Whether any line keeps its width on the page, however it is scaled.
+    on_page: bool,
     /// The elements with markers, by node number; empty if there are none.
     marked: Vec<bool>,
     /// The new anchors of texts, by node number; empty if unchanged.
@@ -119,6 +121,7 @@ impl<'a> Rewriter<'a> {
         Self {
             rules,
             dashes: text.contains(DASHES),
+            on_page: text.contains(ON_PAGE),
             marked: marked(doc, rules),
             anchors: anchors(doc, rules),
             solid: 0,
@@ -140,6 +143,9 @@ impl<'a> Rewriter<'a> {
         if let Some(anchor) = anchor.flatten() {
             added.declaration("text-anchor", anchor);
         }
+        if self.on_page && property_of(self.rules, node, "vector-effect") == Some(ON_PAGE) {
+            added.declaration("stroke-miterlimit", &SCREEN_LINE.to_string());
+        }
         if !self.dashes {
             return added;
         }
@@ -147,9 +153,6 @@ impl<'a> Rewriter<'a> {
         if node.has_attribute("pathLength") && is_dashed {
             added.declaration(DASHES, "none");
             self.solid += 1;
-        }
-        if property_of(self.rules, node, "vector-effect") == Some("non-scaling-stroke") {
-            added.declaration("stroke-miterlimit", &SCREEN_DASHES.to_string());
         }
         added
     }
@@ -215,6 +218,7 @@ fn linked(value: &str) -> Option<&str> {
     inner.trim_matches(['"', '\'', ' ']).strip_prefix('#')
 }
 
+const ON_PAGE: &str = "non-scaling-stroke";
 const DASHES: &str = "stroke-dasharray";
 /// Attributes without CSS: names, and long values.
 const PLAIN: [&str; 6] = ["id", "class", "href", "d", "points", "transform"];

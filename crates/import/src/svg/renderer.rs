@@ -7,7 +7,7 @@ use dobot_geometry::{Affine, FillRule, Stroke};
 use usvg::{BlendMode, ClipPath, Group, LineCap, Node, Paint, Path, Stop, Text, Tree};
 
 use super::flatten::flatten;
-use super::ink::{Dashes, FillPaint, Ink, InkColor, LinePaint, PAPER, SCREEN_DASHES};
+use super::ink::{Dashes, FillPaint, Ink, InkColor, LinePaint, PAPER, SCREEN_LINE};
 use super::page::{SvgPage, place};
 use super::single_line::{self, Written};
 use super::warning_count::WarningKind;
@@ -134,6 +134,8 @@ impl<'a> TreeRenderer<'a> {
             }
             let line = LinePaint {
                 color: InkColor(rgb(paint)),
+                width: span.stroke().map(|line| line.width().get().into()),
+                on_page: false,
                 has_ends: true,
                 dashes: None,
             };
@@ -271,10 +273,11 @@ fn read_line(line: &usvg::Stroke) -> LinePaint {
     let dashes = line.dasharray().map(|lengths| Dashes {
         lengths: lengths.iter().copied().map(f64::from).collect(),
         offset: f64::from(line.dashoffset()),
-        on_page: line.miterlimit().get() == SCREEN_DASHES,
     });
     LinePaint {
         color: InkColor(rgb(line.paint())),
+        width: Some(line.width().get().into()),
+        on_page: line.miterlimit().get() == SCREEN_LINE,
         has_ends: line.linecap() != LineCap::Butt,
         dashes,
     }

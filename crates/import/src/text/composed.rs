@@ -9,20 +9,24 @@ use unicode_normalization::char::{compose, decompose_canonical};
 /// Composes letters and their marks (Unicode's NFC), as far as the font has the result: file names
 /// on macOS and texts of PDF files are decomposed.
 pub(crate) fn composed(text: &str, font: StrokeFont) -> Cow<'_, str> {
+    composed_for(text, |c| c.is_ascii() || Letter::of(font, c).is_some())
+}
+
+/// Composes letters and their marks, for a font that has these characters.
+pub(super) fn composed_for(text: &str, has: impl Fn(char) -> bool) -> Cow<'_, str> {
     if text.is_ascii() {
         return Cow::Borrowed(text);
     }
     let mut whole = String::with_capacity(text.len());
     for character in text.nfc() {
-        push(&mut whole, character, font);
+        push(&mut whole, character, &has);
     }
     Cow::Owned(whole)
 }
 
 /// Appends a character: whole, or with as many of its marks as the font has, followed by the
 /// others.
-fn push(whole: &mut String, character: char, font: StrokeFont) {
-    let has = |c: char| c.is_ascii() || Letter::of(font, c).is_some();
+fn push(whole: &mut String, character: char, has: &impl Fn(char) -> bool) {
     let mut parts = Vec::new();
     decompose_canonical(character, |part| parts.push(part));
     let [base, marks @ ..] = parts.as_slice() else {

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use dobot_geometry::bounds;
 use usvg::fontdb::{Database, FaceInfo};
 
+use super::wrap::{Line, lines};
 use super::{Align, Text, layer};
 use crate::artwork::{Artwork, Layer};
 use crate::error::{SourceError, TextError};
@@ -23,7 +24,8 @@ pub(super) fn read(
     }
     let scale = text.height_mm / capital_mm(&face, options);
     let spacing_mm = text.line_spacing * text.height_mm / scale;
-    let page = page(text, &face, spacing_mm);
+    let lines = lines(text, |part| scale * width_mm(part, &face, options));
+    let page = page(&lines, text.align, &face, [spacing_mm, scale]);
     let fine = ReadOptions {
         tolerance_mm: (options.tolerance_mm / scale).max(1e-6),
         layers: LayersBy::Nothing,
@@ -119,7 +121,7 @@ fn difference(from: &str, to: &str) -> usize {
 
 /// The height of capitals in letters of [`SIZE_MM`].
 fn capital_mm(face: &Face, options: &ReadOptions) -> f64 {
-    let page = page(&Text::new("H"), face, 1.0);
+    let page = page(&[line("H")], Align::Left, face, [1.0, 1.0]);
     let ink = svg::read(&page, options).map(|(artwork, _)| bounds(one(artwork).points()));
     let height = ink.ok().map(|ink| ink.height());
     // A symbol font has no capitals; the usual ratio serves it.
@@ -128,13 +130,37 @@ fn capital_mm(face: &Face, options: &ReadOptions) -> f64 {
         .unwrap_or(0.72 * SIZE_MM)
 }
 
-fn page(text: &Text, face: &Face, spacing_mm: f64) -> String {
-    let longest = text.lines().map(str::len).max().unwrap_or(0);
+/// The width of a part of a line in letters of [`SIZE_MM`]. Spaces are measured between letters,
+/// because they have no size of their own.
+fn width_mm(part: &str, face: &Face, options: &ReadOptions) -> f64 {
+    let width_mm = |text: &str| {
+        let page = page(&[line(text)], Align::Left, face, [1.0, 1.0]);
+        svg::text_width(&page, options)
+    };
+    if part.trim().is_empty() {
+        width_mm(&format!("x{part}x")) - width_mm("xx")
+    } else {
+        width_mm(part)
+    }
+}
+
+fn line(text: &str) -> Line {
+    Line {
+        text: text.to_owned(),
+        ..Line::default()
+    }
+}
+
+/// Returns a page with lines in letters of [`SIZE_MM`], which are shown at a scale.
+fn page(lines: &[Line], align: Align, face: &Face, [spacing_mm, scale]: [f64; 2]) -> String {
+    let longest = lines.iter().map(|line| line.text.len()).max().unwrap_or(0);
+    let stretched = lines.iter().map(|line| line.extra_mm / scale);
+    let stretched = stretched.fold(0.0, f64::max);
     #[expect(clippy::cast_precision_loss, reason = "counts of characters")]
-    let [longest, lines] = [longest as f64, text.lines().count() as f64];
-    let width = (4.0 * SIZE_MM * (longest + 4.0)).min(MAX_MM);
-    let height = (spacing_mm * lines + 8.0 * SIZE_MM).min(MAX_MM);
-    let (anchor, x) = match text.align {
+    let [longest, count] = [longest as f64, lines.len() as f64];
+    let width = ((4.0 * SIZE_MM + stretched) * (longest + 4.0)).min(MAX_MM);
+    let height = (spacing_mm * count + 8.0 * SIZE_MM).min(MAX_MM);
+    let (anchor, x) = match align {
         Align::Left => ("start", 0.25),
         Align::Center => ("middle", 0.5),
         Align::Right => ("end", 0.75),
@@ -152,11 +178,12 @@ fn page(text: &Text, face: &Face, spacing_mm: f64) -> String {
     );
     let x = x * width;
     let mut y = 4.0 * SIZE_MM;
-    for line in text.lines() {
-        let words = escaped(line);
+    for line in lines {
+        let words = escaped(&line.text);
+        let extra_mm = line.extra_mm / scale;
         write!(
             svg,
-            "<g transform='translate({x} {y})'><text>{words}</text></g>"
+            "<g transform='translate({x} {y})'><text word-spacing='{extra_mm}'>{words}</text></g>"
         )
         .expect("writing to a string works");
         y += spacing_mm;

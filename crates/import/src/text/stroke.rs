@@ -5,20 +5,60 @@ use std::collections::HashMap;
 use dobot_geometry::{Point, Stroke};
 use dobot_lettering::{CAPITAL, Letter, StrokeFont};
 
-use super::{Text, composed, layer};
+use super::composed::composed_for;
+use super::wrap::{Line, lines};
+use super::{Text, layer};
 use crate::artwork::Layer;
 use crate::error::SourceError;
 use crate::limits::{Budget, MAX_SEGMENTS};
+use crate::svg::SvgFont;
 use crate::warning::Warning;
+
+/// A font of single-line letters.
+pub(super) enum Letters {
+    BuiltIn(StrokeFont),
+    File(SvgFont),
+}
+
+impl Letters {
+    fn name(&self) -> &str {
+        match self {
+            Self::BuiltIn(font) => font.name(),
+            Self::File(font) => &font.name,
+        }
+    }
+
+    fn has(&self, character: char) -> bool {
+        match self {
+            Self::BuiltIn(font) => character.is_ascii() || Letter::of(*font, character).is_some(),
+            Self::File(font) => font.has(character),
+        }
+    }
+
+    /// The glyph of a character, within a tolerance in units of the grid.
+    fn letter(&self, character: char, tolerance: f64) -> Option<Letter> {
+        match self {
+            Self::BuiltIn(font) => Some(Letter::of(*font, character)?.rounded(*font, tolerance)),
+            Self::File(font) => font.letter(character, tolerance),
+        }
+    }
+}
 
 pub(super) fn read(
     text: &Text,
-    font: StrokeFont,
+    font: &Letters,
     tolerance_mm: f64,
 ) -> Result<(Layer, Vec<Warning>), SourceError> {
     let mut writer = Writer::new(font, text.height_mm, tolerance_mm);
-    let lines: Vec<_> = text.lines().map(|line| composed(line, font)).collect();
-    let widths: Vec<f64> = lines.iter().map(|line| writer.width_mm(line)).collect();
+    let whole = Text {
+        text: composed_for(&text.text, |c| font.has(c)).into_owned(),
+        ..text.clone()
+    };
+    let lines = lines(&whole, |part| writer.width_mm(part, 0.0));
+    let widths: Vec<f64> = lines
+        .iter()
+        .map(|line| writer.width_mm(&line.text, line.extra_mm))
+        .collect();
     let widest_mm = widths.iter().fold(0.0, |a: f64, b| a.max(*b));
     let mut at = Point::default();
     for (line, width_mm) in lines.iter().zip(widths) {
@@ -34,8 +74,8 @@ pub(super) fn read(
     Ok((layer, warnings))
 }
 
-struct Writer {
-    font: StrokeFont,
+struct Writer<'a> {
+    font: &'a Letters,
     /// Millimetres per unit of the fonts' grid.
     scale: f64,
     /// In units of the grid.
@@ -48,8 +88,8 @@ struct Writer {
     missed: usize,
 }
 
-impl Writer {
-    fn new(font: StrokeFont, height_mm: f64, tolerance_mm: f64) -> Self {
+impl<'a> Writer<'a> {
+    fn new(font: &'a Letters, height_mm: f64, tolerance_mm: f64) -> Self {
         let scale = height_mm / CAPITAL;
         Self {
             font,
@@ -63,16 +103,22 @@ impl Writer {
         }
     }
 
-    fn width_mm(&mut self, line: &str) -> f64 {
+    fn width_mm(&mut self, line: &str, extra_mm: f64) -> f64 {
         let advances = line
             .chars()
             .map(|c| self.letter(c).map_or(0.0, |c| c.advance));
-        advances.sum::<f64>() * self.scale
+        let width_mm = advances.sum::<f64>() * self.scale;
+        let gaps = line.trim_start().matches(' ').map(|_| extra_mm);
+        width_mm + gaps.sum::<f64>()
     }
 
-    fn line(&mut self, line: &str, mut at: Point) -> Result<(), SourceError> {
-        for character in line.chars() {
+    fn line(&mut self, line: &Line, mut at: Point) -> Result<(), SourceError> {
+        let indent = line.text.len() - line.text.trim_start().len();
+        for (place, character) in line.text.char_indices() {
             let scale = self.scale;
+            if character == ' ' && place >= indent {
+                at.x += line.extra_mm;
+            }
             let Some(letter) = self.letter(character) else {
                 self.miss(character);
                 continue;
@@ -91,8 +137,11 @@ impl Writer {
 
     fn letter(&mut self, character: char) -> Option<&Letter> {
         let (font, tolerance) = (self.font, self.tolerance);
-        let round = || Some(Letter::of(font, character)?.rounded(font, tolerance));
-        self.letters.entry(character).or_insert_with(round).as_ref()
+        let letter = || font.letter(character, tolerance);
+        self.letters
+            .entry(character)
+            .or_insert_with(letter)
+            .as_ref()
     }
 
     fn miss(&mut self, character: char) {

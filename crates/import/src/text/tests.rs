@@ -171,7 +171,7 @@ fn a_missing_font_is_named_with_similar_ones() {
     assert_eq!(
         error(&text),
         "there is no font \"Nonsense\"; no fonts are installed; \
-         sans, bold, script, serif, italic and gothic are built in"
+         sans, bold, script, serif, italic, gothic and hand are built in"
     );
     let Some(options) = with_fonts() else { return };
     let message = text.read(&options).unwrap_err().to_string();
@@ -179,6 +179,155 @@ fn a_missing_font_is_named_with_similar_ones() {
         message.starts_with("there is no font \"Nonsense\"; similar ones are"),
         "{message}"
     );
+}
+
+#[test]
+fn handwriting_is_included_and_other_svg_fonts_are_read_from_their_files() {
+    let text = |font: &str, text: &str| Text {
+        font: Font::of(font),
+        height_mm: 30.0,
+        ..Text::new(text)
+    };
+    let (artwork, warnings) = read(&text("hand", "H"));
+    assert!(
+        (artwork.height_mm - 30.0).abs() < 2.0,
+        "{}",
+        artwork.height_mm
+    );
+    assert_eq!(warnings.len(), 0);
+    let (artwork, warnings) = read(&text("Hand", "Grüße, Ørø! Quiz (12 €)"));
+    assert_eq!(warnings, [""; 0]);
+    assert!(artwork.layers[0].areas.is_empty(), "its letters are lines");
+    let file = r#"<svg xmlns="http://www.w3.org/2000/svg"><font horiz-adv-x="9"><font-face font-family="Sticks"/><glyph unicode="H" d="M0 0V7M3 0V7"/></font></svg>"#;
+    let (artwork, warnings) = read(&text(file, "HxH"));
+    let layer = &artwork.layers[0];
+    assert_eq!(layer.strokes.len(), 4);
+    assert!(
+        (artwork.height_mm - 30.0).abs() < 1e-3,
+        "{}",
+        artwork.height_mm
+    );
+    assert_eq!(
+        warnings,
+        [
+            "1 character: not in the Sticks letters, left out: \"x\"; use an installed font with --font"
+        ]
+    );
+    assert_eq!(
+        error(&text("Sticks.SVG", "H")),
+        "what.font is an SVG font that cannot be used: Sticks.SVG is its name; give the content of the file"
+    );
+    let message = error(&text("<svg/>", "H"));
+    assert!(message.contains("no <font> element"), "{message}");
+}
+
+/// The ink of the lines of a text with gaps between them.
+fn line_inks(artwork: &Artwork, line_mm: f64) -> Vec<Rect> {
+    let mut inks = Vec::<Rect>::new();
+    let mut points: Vec<Point> = artwork.points().collect();
+    points.sort_by(|a, b| a.y.total_cmp(&b.y));
+    for p in points {
+        match inks.last_mut() {
+            Some(ink) if p.y < ink.y0 + line_mm => *ink = ink.union_pt(p),
+            _ => inks.push(Rect::from_points(p, p)),
+        }
+    }
+    inks
+}
+
+#[test]
+fn wrapped_lines_keep_their_height_within_the_width_and_justified_ones_fill_it() {
+    let options = with_fonts().unwrap_or_default();
+    let outline = options.fonts.faces().next();
+    let outline = outline.map(|face| face.families[0].0.clone());
+    let fonts = ["sans", "hand"]
+        .map(str::to_owned)
+        .into_iter()
+        .chain(outline);
+    for font in fonts {
+        let written = |justify, text: &str| {
+            let text = Text {
+                font: Font::of(&font),
+                height_mm: 5.0,
+                line_spacing: 4.0,
+                wrap: Some(Wrap {
+                    width_mm: 60.0,
+                    justify,
+                }),
+                ..Text::new(text)
+            };
+            let (artwork, _) = text.read(&options).unwrap();
+            line_inks(&artwork, 15.0)
+        };
+        let words = "HE HHH HEE EHHHE HH HHEE HHHH HE EEEH HHH HHEE EH HEHHHH";
+        let ragged = written(false, words);
+        assert!(ragged.len() > 2, "{font}: {ragged:?}");
+        for line in &ragged {
+            assert!(line.width() <= 60.0, "{font}: {line:?}");
+            assert!((line.height() - 5.0).abs() < 0.5, "{font}: {line:?}");
+        }
+        let full = written(true, words);
+        assert_eq!(full.len(), ragged.len());
+        let (last, others) = full.split_last().unwrap();
+        for line in others {
+            // The space beside the first and the last letter has no ink.
+            assert!((56.0..60.01).contains(&line.width()), "{font}: {line:?}");
+        }
+        let widest = ragged.last().unwrap().width();
+        assert!((last.width() - widest).abs() < 1e-6, "{font}");
+        // Line breaks are kept, and so are blank lines.
+        let spaced = written(false, "H\n\nH");
+        let apart_mm = spaced[1].y0 - spaced[0].y0;
+        assert!((apart_mm - 40.0).abs() < 0.5, "{font}: {apart_mm}");
+    }
+}
+
+#[test]
+fn slanted_letters_stay_within_the_width_too() {
+    for font in [
+        "sans", "bold", "script", "serif", "italic", "gothic", "hand",
+    ] {
+        for justify in [false, true] {
+            let wrap = Wrap {
+                width_mm: 60.0,
+                justify,
+            };
+            let text = Text {
+                font: Font::of(font),
+                wrap: Some(wrap),
+                ..Text::new("fjord jelly fluff joy of jazz for 4 Wolf Ford Taft if")
+            };
+            let (artwork, _) = read(&text);
+            assert!(artwork.width_mm <= 60.0, "{font}: {}", artwork.width_mm);
+            assert!((artwork.width_mm > 57.0) == justify || !justify, "{font}");
+            // A word that is too wide neither ends the loop nor the other lines early.
+            let wide = Text {
+                wrap: Some(Wrap {
+                    width_mm: 20.0,
+                    ..wrap
+                }),
+                ..text
+            };
+            assert!(read(&wide).0.width_mm > 20.0);
+        }
+    }
+}
+
+#[test]
+fn a_width_that_holds_no_line_is_refused() {
+    for width_mm in [0.0, -1.0, f64::NAN, 1e9] {
+        let message = error(&Text {
+            wrap: Some(Wrap {
+                width_mm,
+                justify: false,
+            }),
+            ..Text::new("a")
+        });
+        assert_eq!(
+            message,
+            format!("lines are wrapped at {width_mm} mm; allowed are 1 to 10000 mm")
+        );
+    }
 }
 
 #[test]

@@ -17,6 +17,7 @@ use crate::verbs::calibrate;
 
 /// Reads what is to be drawn, and drops defaults that do not fit it.
 pub(super) fn drawing_request(args: Args) -> Result<(Args, DrawingRequest), Failure> {
+    let args = with_font(args)?;
     let subject = subject(&args)?;
     let args = fitted(args, &subject)?;
     let materials = materials(args.materials.as_deref())?;
@@ -40,6 +41,20 @@ fn subject(args: &Args) -> Result<Subject, Failure> {
     let text = Subject::of_text(&args.options.0.what).map(Ok);
     let all = files.chain(text).reduce(|all, next| Ok(all?.and(next?)));
     all.expect("the options ask for one")
+}
+
+/// Replaces the name of a font file by its content.
+fn with_font(mut args: Args) -> Result<Args, Failure> {
+    let font = &mut args.options.0.what.font;
+    let is_file = |name: &&String| name.to_ascii_lowercase().ends_with(".svg");
+    if let Some(name) = font.as_ref().filter(is_file) {
+        let hint = "name an SVG font, an installed font, or one that `dobot draw --help` lists";
+        let bytes = read(Path::new(name)).map_err(|failure| failure.with_hint(hint))?;
+        let text = String::from_utf8(bytes);
+        let text = text.with_context(|| format!("{name} is not a text in UTF-8"))?;
+        *font = Some(text);
+    }
+    Ok(args)
 }
 
 /// Puts the date on a test card unless it has a label.

@@ -52,6 +52,29 @@ fn colours_become_layers_in_the_order_of_their_first_shape() {
 }
 
 #[test]
+fn line_widths_on_the_page_become_layers() {
+    let (layers, _) = read_by(
+        LayersBy::Width,
+        r#"<g fill="none" stroke="red"><path stroke-width="0.5" d="M0 0H5"/><path stroke-width="1" d="M0 1H5"/>
+        <path stroke="blue" stroke-width="0.25" transform="scale(2)" d="M0 2H5"/>
+        <path stroke-width="2" transform="scale(4)" vector-effect="non-scaling-stroke" d="M0 1H5"/></g>
+        <rect x="5" y="5" width="10" height="4" fill="gold" stroke="black"/>
+        <rect x="25" y="5" width="10" height="4" fill="gold"/>"#,
+    );
+    assert_eq!(
+        contents(&layers),
+        [
+            ("0.5 mm", 2, 0),
+            ("1 mm", 2, 0),
+            ("0.53 mm", 1, 0),
+            ("fills", 1, 2)
+        ]
+    );
+    // A layer of several colours has none.
+    assert_eq!(layers[0].color, None);
+}
+
+#[test]
 fn a_fill_gives_an_area_of_its_own_colour_in_addition_to_the_outline() {
     let (layers, _) = read_by(
         LayersBy::Color,
