@@ -1,6 +1,8 @@
 //! A drawing planned vector by vector.
 
+use dobot_arm::Position;
 use dobot_geometry::{Point, Stroke};
+use dobot_motion::ReturnWait;
 
 use crate::path::endpoint::Endpoint;
 use crate::path::pieces::Pieces;
@@ -113,9 +115,19 @@ impl Plan {
         }
     }
 
-    /// Returns the duration of each vector, in seconds.
+    /// Returns the time that each vector takes, in seconds: its motion, and the wait before it
+    /// where the path returns to a place ([`ReturnWait`]).
     pub fn durations(&self) -> impl Iterator<Item = f64> {
-        self.moves.iter().map(|vector| vector.duration_s.into())
+        let mut return_wait = ReturnWait::new(self.arm_limits.link.period_s);
+        let mut here = self.start;
+        self.moves.iter().map(move |vector| {
+            let from = here;
+            let way = vector.increments();
+            here = [0, 1, 2].map(|i| from[i] + way[i]);
+            let [from, to] = [from, here].map(|[x, y, z]| Position::new(x, y, z));
+            let motion_s = f64::from(vector.duration_s);
+            return_wait.before_motion(from, to, motion_s) + motion_s
+        })
     }
 
     /// Returns the maximum height of the pen above the paper, in mm; 0 for a laser.
