@@ -17,6 +17,8 @@ mod spindle;
 mod switch;
 mod zero;
 
+use dobot_geometry::CancelToken;
+
 use self::ink::Inker;
 use self::ink_rule::{InkRule, MoveStatistics};
 use self::laser::LaserState;
@@ -46,7 +48,8 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
     let mut sketch = Sketch::new(text, options)?;
     let mut statistics = MoveStatistics::default();
     let mut moves = 0;
-    let (tool, laser) = run(text, sketch.warnings(), |motion| {
+    let cancel = &options.cancel;
+    let (tool, laser) = run(text, cancel, sketch.warnings(), |motion| {
         moves += 1;
         if moves > MAX_MOVES {
             let found = format!("more than {MAX_MOVES} moves");
@@ -62,7 +65,9 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
         sketch.warn(None, what, &instead);
     }
     let mut inker = Inker::new(&mut sketch, rule, switch);
-    run(text, &mut Warnings::new(text), |motion| inker.draw(motion))?;
+    run(text, cancel, &mut Warnings::new(text), |motion| {
+        inker.draw(motion)
+    })?;
     inker.finish()?;
     Ok((sketch, rule))
 }
@@ -70,11 +75,15 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
 /// Runs the program and passes all of its moves on; returns the tool and the laser at its end.
 fn run<'a>(
     text: &'a [u8],
+    cancel: &CancelToken,
     warnings: &mut Warnings<'a>,
     mut hand_on: impl FnMut(&Move) -> Result<(), SourceError>,
 ) -> Result<(ToolState, LaserState), SourceError> {
     let mut machine = Machine::new(text, warnings);
-    block::each(text, |block| machine.handle(block, &mut hand_on))?;
+    block::each(text, |block| {
+        cancel.check()?;
+        machine.handle(block, &mut hand_on)
+    })?;
     Ok(machine.state())
 }
 

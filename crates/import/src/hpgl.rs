@@ -27,7 +27,10 @@ pub(crate) fn read(
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut plotter = Plotter::new(Sketch::new(text, options)?);
-    commands(text).try_for_each(|command| plotter.handle(&command?))?;
+    commands(text).try_for_each(|command| {
+        options.cancel.check()?;
+        plotter.handle(&command?)
+    })?;
     plotter
         .finish()?
         .finish(Y::Up, "no command draws with a pen down")

@@ -58,7 +58,7 @@ impl Text {
     ) -> Result<(Artwork, Vec<Warning>), SourceError> {
         self.check()?;
         let (layer, warnings) = match &self.font {
-            Font::Stroke(font) => stroke::read(self, *font, options.tolerance_mm)?,
+            Font::Stroke(font) => stroke::read(self, *font, options)?,
             Font::Outline(family) => outline::read(self, family, options)?,
         };
         if layer.is_empty() {

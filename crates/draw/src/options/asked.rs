@@ -16,11 +16,11 @@ use crate::layout::place::{AREA, Placement, Size};
 use crate::layout::sheet::SheetPlace;
 use crate::layout::test_card::Card;
 use crate::material::{Material, Materials, UnknownMaterial};
-use crate::preparation::cancel::CancelToken;
 use crate::preparation::progress::Progress;
 use crate::prepare::{NamedSource, Prepared, Settings, prepare_multi_file, prepare_passes};
 use crate::strokes::cutting::Cutting;
 use crate::strokes::hatch::Hatch;
+use dobot_geometry::CancelToken;
 
 /// A drawing request: its content and settings, except those that depend on the arm.
 #[derive(Clone, Debug)]

@@ -9,14 +9,15 @@ use super::{Text, composed, layer};
 use crate::artwork::Layer;
 use crate::error::SourceError;
 use crate::limits::{Budget, MAX_SEGMENTS};
+use crate::options::ReadOptions;
 use crate::warning::Warning;
 
 pub(super) fn read(
     text: &Text,
     font: StrokeFont,
-    tolerance_mm: f64,
+    options: &ReadOptions,
 ) -> Result<(Layer, Vec<Warning>), SourceError> {
-    let mut writer = Writer::new(font, text.height_mm, tolerance_mm);
+    let mut writer = Writer::new(font, text.height_mm, options);
     let lines: Vec<_> = text.lines().map(|line| composed(line, font)).collect();
     let widths: Vec<f64> = lines.iter().map(|line| writer.width_mm(line)).collect();
     let widest_mm = widths.iter().fold(0.0, |a: f64, b| a.max(*b));
@@ -49,15 +50,15 @@ struct Writer {
 }
 
 impl Writer {
-    fn new(font: StrokeFont, height_mm: f64, tolerance_mm: f64) -> Self {
+    fn new(font: StrokeFont, height_mm: f64, options: &ReadOptions) -> Self {
         let scale = height_mm / CAPITAL;
         Self {
             font,
             scale,
-            tolerance: tolerance_mm / scale,
+            tolerance: options.tolerance_mm / scale,
             letters: HashMap::new(),
             strokes: Vec::new(),
-            budget: Budget::new(MAX_SEGMENTS),
+            budget: Budget::until(MAX_SEGMENTS, &options.cancel),
             missing: Vec::new(),
             missed: 0,
         }
