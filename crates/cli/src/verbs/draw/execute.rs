@@ -10,7 +10,7 @@ use dobot_plan::Plan;
 use dobot_session::position;
 use indicatif::ProgressBar;
 
-use crate::control::{self, arm_laser, first_state, line_entered, take_control};
+use crate::control::{arm_laser, first_state, line_entered, take_control};
 use crate::failure::Failure;
 use crate::follow;
 use crate::interrupt::interrupt;
