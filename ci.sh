@@ -62,6 +62,7 @@ readonly OTHER_STEPS=(
   "fuzz-long      Fuzz with random seeds for FUZZ_SECONDS, or until you stop it"
   "bench          Run all benchmarks (docs/performance.md)"
   "compare-vpype  Compare pen-up travel with vpype and LKH; takes an hour"
+  "compare-saxi   Compare the time from file to plan with saxi's modules"
   "compare-toppra Compare arm time with the time-optimal motion of toppra"
 )
 
@@ -543,6 +544,17 @@ step_compare-vpype() {
   needs_drawings order_drawings
   needs_packages compare
   "$VENV/bin/python" tests/compare/travel.py
+}
+
+step_compare-saxi() {
+  local modules=$PWD/target/saxi/ lines=target/lines
+  needs_drawings plan_time
+  needs_command npm npm
+  npm install --prefix "$modules" --no-save --ignore-scripts --no-audit --no-fund saxi@0.15.0
+  mkdir -p "$lines"
+  "${CARGO_TARGET_DIR:-target}/release/examples/plan_time" "$lines" target/drawings/{text,engraving,circuit}.svg \
+    examples/drawings/still-life.jpg >"$lines/figures.jsonl"
+  node tests/compare/saxi.mjs "$lines" "$lines/figures.jsonl" "$modules"
 }
 
 step_compare-toppra() {

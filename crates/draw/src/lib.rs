@@ -41,6 +41,7 @@ mod strokes;
 
 pub use arm::calibrated::known_paper;
 pub use arm::resume_point::{ResumePoint, ResumePointError};
+pub use dobot_geometry::CancelToken;
 pub use dobot_import::{FORMATS, Format};
 pub use layout::clip::{Clipped, clip_to_reach};
 pub use layout::copies::Grid;
@@ -61,7 +62,6 @@ pub use output::ink::{InkLine, ink_seen};
 pub use output::picture::{Colors, Picture, PictureError, View};
 pub use output::timeline::{Moves, Path, Timeline};
 pub use output::trace::{Sample, StartNotReached, Trace};
-pub use preparation::cancel::CancelToken;
 pub use preparation::program_files::ProgramFiles;
 pub use preparation::progress::{PrepareStep, Progress};
 pub use prepare::{

@@ -23,7 +23,7 @@ use crate::layout::marks::DrawnMarks;
 use crate::layout::place::{PlaceError, Placed, check_reach};
 use crate::preparation::progress::PrepareStep;
 use crate::strokes::hatch::HatchError;
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{Cancelled, Point, Stroke};
 use dobot_import::{Source, SourceError, Warning};
 use dobot_plan::{ArmLimits, DrawingTool, Pass, Plan, PlanError};
 
@@ -175,7 +175,7 @@ fn plan_passes<E: fmt::Display>(
         ..settings.arm_limits
     };
     progress.begin(PrepareStep::Planning, 0);
-    let plan = Plan::new(&simple, &settings.paper, &arm_limits)?;
+    let plan = Plan::new_until(&simple, &settings.paper, &arm_limits, &settings.cancel)?;
     check_reach(&plan, &settings.paper, reachable)?;
     Ok(Prepared {
         passes,
@@ -198,7 +198,7 @@ pub enum PrepareError {
     Tolerance(f64),
     /// The source cannot be drawn.
     #[error(transparent)]
-    Source(#[from] SourceError),
+    Source(SourceError),
     /// One of several sources cannot be drawn.
     #[error("{name}: {error}")]
     File {
@@ -231,7 +231,22 @@ pub enum PrepareError {
     ResumePoint(#[from] ResumePointError),
     /// The drawing cannot be planned.
     #[error(transparent)]
-    Plan(#[from] PlanError),
+    Plan(PlanError),
+}
+
+impl From<Cancelled> for PrepareError {
+    fn from(Cancelled: Cancelled) -> Self {
+        Self::Cancelled
+    }
+}
+
+impl From<PlanError> for PrepareError {
+    fn from(error: PlanError) -> Self {
+        match error {
+            PlanError::Cancelled(cancelled) => cancelled.into(),
+            error => Self::Plan(error),
+        }
+    }
 }
 
 /// Returns the minimum and maximum distance from the axis at which the arm reaches the paper, with

@@ -11,6 +11,7 @@
 mod area;
 mod bounds;
 mod box_tree;
+mod cancel;
 mod chord;
 mod curve;
 mod deviation;
@@ -24,6 +25,7 @@ mod stroke;
 pub use area::{Area, FillRule};
 pub use bounds::{bounds, bounds_of_strokes, least_width};
 pub use box_tree::BoxTree;
+pub use cancel::{CancelToken, Cancelled};
 pub use chord::distance_from_chord;
 pub use curve::{chords, corners};
 pub use deviation::{Deviation, PathDistance, WorstPoint, deviation};

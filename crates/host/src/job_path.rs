@@ -2,7 +2,7 @@
 
 use dobot_api::JobPath;
 use dobot_journal::{Job, Journal};
-use dobot_motion::Model;
+use dobot_motion::{Model, ReturnWait};
 use dobot_supervisor::{Refusal, draws_below_mm};
 use dobot_wire::Command;
 
@@ -19,6 +19,7 @@ pub(crate) fn path_of(journal: &Journal, job: u64) -> Result<JobPath, Refusal> {
 
 fn walk(mut model: Model, job: &Job, commands: &[Command]) -> Result<JobPath, Refusal> {
     let mut path = JobPath::default();
+    let mut return_wait = ReturnWait::new(model.dialect.status_period().as_secs_f64());
     let mut begun_s = 0.0;
     for (index, command) in commands.iter().enumerate() {
         let trajectory = model.trajectory(command).map_err(|error| Refusal::BadJob {
@@ -26,6 +27,8 @@ fn walk(mut model: Model, job: &Job, commands: &[Command]) -> Result<JobPath, Re
             why: error.to_string(),
             rule: None,
         })?;
+        let after = model.after(command, &trajectory);
+        begun_s += return_wait.before(&model, &trajectory, &after);
         for (place, after_s) in trajectory.corners() {
             let position = model.calibrated_place(&place).pose.position;
             path.path_mm
@@ -35,7 +38,7 @@ fn walk(mut model: Model, job: &Job, commands: &[Command]) -> Result<JobPath, Re
             path.until_s.push(rounded(begun_s + after_s));
         }
         begun_s += trajectory.duration_s().unwrap_or_default();
-        model = model.after(command, &trajectory);
+        model = after;
     }
     if let Some(lift_mm) = job.lift_mm {
         mark_lowered(&mut path, lift_mm.into());

@@ -47,7 +47,7 @@ pub(crate) fn read(
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let text = pairs::with_line_feeds(text);
     let (text, unknown_code_page) = code_page::in_utf8(&text);
-    let mut file = File::read(&text)?;
+    let mut file = File::read(&text, &options.cancel)?;
     if options.hides {
         // Nothing else depends on it.
         let sorted = order::sort(&mut file);

@@ -4,6 +4,7 @@ mod picture;
 mod svg;
 mod text;
 
+use dobot_geometry::Cancelled;
 use thiserror::Error;
 
 pub use self::picture::ImageError;
@@ -144,6 +145,9 @@ pub enum SourceError {
         "clipping lines and areas takes too long; simplify clip paths and hatched areas, or draw it in parts"
     )]
     TooManyCuts,
+    /// Reading was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// A point is too far from the origin.
     #[error(
         "{place}: leads to ({x_mm:.0}, {y_mm:.0}) mm; at most {limit_mm:.0} mm from the origin are allowed"
@@ -182,6 +186,12 @@ impl SourceError {
             }
             _ => None,
         }
+    }
+
+    /// Whether reading was cancelled.
+    #[must_use]
+    pub const fn is_cancelled(&self) -> bool {
+        matches!(self, Self::Cancelled(_) | Self::Svg(SvgError::Cancelled(_)))
     }
 
     /// An error about the text at an offset.

@@ -19,6 +19,8 @@ mod subroutine;
 mod switch;
 mod zero;
 
+use dobot_geometry::CancelToken;
+
 use self::ink::Inker;
 use self::ink_rule::{InkRule, MoveStatistics};
 use self::laser::LaserState;
@@ -48,7 +50,8 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
     let mut sketch = Sketch::new(text, options)?;
     let mut statistics = MoveStatistics::default();
     let mut moves = 0;
-    let program = run(text, usize::MAX, sketch.warnings(), |motion| {
+    let cancel = &options.cancel;
+    let program = run(text, usize::MAX, cancel, sketch.warnings(), |motion| {
         moves += 1;
         if moves > MAX_MOVES {
             let found = format!("more than {MAX_MOVES} moves");
@@ -65,7 +68,9 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
     rule.report(sketch.warnings(), options.gcode);
     let mut inker = Inker::new(&mut sketch, rule, switch);
     let warnings = &mut Warnings::new(text);
-    let drawn = run(text, program.lines, warnings, |motion| inker.draw(motion));
+    let drawn = run(text, program.lines, cancel, warnings, |motion| {
+        inker.draw(motion)
+    });
     inker.finish()?;
     sketch.skip_mistake(drawn.read, REST_LEFT_OUT)?;
     Ok((sketch, rule))
@@ -85,11 +90,15 @@ struct Program {
 fn run<'a>(
     text: &'a [u8],
     most: usize,
+    cancel: &CancelToken,
     warnings: &mut Warnings<'a>,
     mut hand_on: impl FnMut(&Move) -> Result<(), SourceError>,
 ) -> Program {
     let mut machine = Machine::new(text, warnings);
-    let (lines, read) = block::each(text, most, |block| machine.handle(block, &mut hand_on));
+    let (lines, read) = block::each(text, most, |block| {
+        cancel.check()?;
+        machine.handle(block, &mut hand_on)
+    });
     let (tool, laser) = machine.state();
     Program {
         tool,

@@ -28,7 +28,10 @@ pub(crate) fn read(
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut plotter = Plotter::new(Sketch::new(text, options)?);
-    let read = commands(text).try_for_each(|command| plotter.handle(&command?));
+    let read = commands(text).try_for_each(|command| {
+        options.cancel.check()?;
+        plotter.handle(&command?)
+    });
     let mut sketch = match &read {
         Ok(()) => plotter.finish()?,
         Err(_) => plotter.finish_early()?,

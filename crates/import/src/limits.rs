@@ -2,6 +2,8 @@
 
 use std::cell::Cell;
 
+use dobot_geometry::{CancelToken, Cancelled};
+
 use crate::error::{SourceError, SvgError};
 
 /// The budget of segments and of edge tests, against drawings that would exhaust memory or time.
@@ -12,19 +14,27 @@ pub(crate) struct Budget {
     looks_left: usize,
     /// The number of segments from curves, which a larger tolerance reduces.
     curved: Cell<usize>,
+    cancel: CancelToken,
 }
 
 impl Budget {
-    pub(crate) const fn new(limit: usize) -> Self {
+    pub(crate) fn new(limit: usize) -> Self {
+        Self::until(limit, &CancelToken::default())
+    }
+
+    /// Creates a budget that counts as exceeded once this token is cancelled.
+    pub(crate) fn until(limit: usize, cancel: &CancelToken) -> Self {
         Self {
             limit,
             left: limit,
             looks_left: MAX_LOOKS,
             curved: Cell::new(0),
+            cancel: cancel.clone(),
         }
     }
 
     pub(crate) fn spend(&mut self, segments: usize) -> Result<(), OverBudget> {
+        self.cancel.check()?;
         let left = self.left.checked_sub(segments);
         self.left = left.ok_or_else(|| self.over())?;
         Ok(())
@@ -46,6 +56,10 @@ impl Budget {
 
     /// Spends edge tests; `false` if the budget is too small, which then is exhausted.
     pub(crate) fn take_looks(&mut self, looks: usize) -> bool {
+        if self.cancel.is_cancelled() {
+            self.looks_left = 0;
+            return false;
+        }
         let is_enough = looks <= self.looks_left;
         self.looks_left = self.looks_left.saturating_sub(looks);
         is_enough
@@ -53,9 +67,11 @@ impl Budget {
 
     /// Spends edge tests; an error if the budget is too small.
     pub(crate) fn look(&mut self, looks: usize) -> Result<(), OverBudget> {
-        self.take_looks(looks)
-            .then_some(())
-            .ok_or(OverBudget::Looks)
+        if self.take_looks(looks) {
+            return Ok(());
+        }
+        self.cancel.check()?;
+        Err(OverBudget::Looks)
     }
 
     /// Whether edge tests remain.
@@ -78,6 +94,14 @@ pub(crate) enum OverBudget {
     Corners { limit: usize },
     /// Edge tests.
     Looks,
+    /// Reading was cancelled.
+    Cancelled(Cancelled),
+}
+
+impl From<Cancelled> for OverBudget {
+    fn from(cancelled: Cancelled) -> Self {
+        Self::Cancelled(cancelled)
+    }
 }
 
 impl From<OverBudget> for SvgError {
@@ -90,6 +114,7 @@ impl From<OverBudget> for SvgError {
                 limit: limit as u64,
             },
             OverBudget::Looks => Self::TooManyCuts,
+            OverBudget::Cancelled(cancelled) => cancelled.into(),
         }
     }
 }
@@ -100,6 +125,7 @@ impl From<OverBudget> for SourceError {
             OverBudget::Segments { limit } => Self::TooManySegments { limit },
             OverBudget::Corners { limit } => Self::TooManyCorners { limit },
             OverBudget::Looks => Self::TooManyCuts,
+            OverBudget::Cancelled(cancelled) => cancelled.into(),
         }
     }
 }

@@ -3,6 +3,7 @@
 use std::str::FromStr;
 use std::sync::Arc;
 
+use dobot_geometry::CancelToken;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use usvg::fontdb;
@@ -38,6 +39,8 @@ pub struct ReadOptions {
     pub fonts: Arc<fontdb::Database>,
     /// The conversion of picture tones to lines or dots.
     pub shading: Shading,
+    /// Cancels the reading.
+    pub cancel: CancelToken,
 }
 
 impl Default for ReadOptions {
@@ -56,6 +59,7 @@ impl Default for ReadOptions {
             strict: false,
             fonts: Arc::default(),
             shading: Shading::default(),
+            cancel: CancelToken::default(),
         }
     }
 }

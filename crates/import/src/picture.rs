@@ -31,7 +31,7 @@ use crate::artwork::{Artwork, Layer};
 use crate::error::{ImageError, SourceError};
 use crate::options::ReadOptions;
 use crate::warning::Warning;
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{CancelToken, Point, Stroke};
 pub(super) use image::ImageFormat;
 
 /// Reads a picture as lines or dots on its page: 96 pixels per inch, or the resolution in a PNG
@@ -52,8 +52,10 @@ pub(crate) fn read(
     shading.check()?;
     let spacing_mm = shading.spacing_mm / options.scale;
     check_size(header(bytes)?.page(), shading.spacing_mm, options.scale)?;
-    let (header, tone) = toned(bytes, shading, spacing_mm)?;
-    let strokes = strokes(&tone, shading, spacing_mm);
+    let (header, tone) = toned(bytes, options, spacing_mm)?;
+    let strokes = strokes(&tone, shading, spacing_mm, &options.cancel);
+    // What a cancelled step returned is not a drawing.
+    options.cancel.check()?;
     if strokes.is_empty() {
         let reason = if shading.style == ShadingStyle::Outline {
             "the picture has no borders between tones, or the enclosed areas are smaller than the spacing"
@@ -85,9 +87,15 @@ pub(super) fn page(bytes: &[u8]) -> Result<Point, SourceError> {
 }
 
 /// The grid of tones, as fine as the spacing needs, whatever the size of the file.
-fn toned(bytes: &[u8], shading: &Shading, spacing_mm: f64) -> Result<(Header, Tone), SourceError> {
+fn toned(
+    bytes: &[u8],
+    options: &ReadOptions,
+    spacing_mm: f64,
+) -> Result<(Header, Tone), SourceError> {
+    let (shading, cancel) = (&options.shading, &options.cancel);
     let paper = if shading.invert { 0 } else { 255 };
     let (header, grey) = pixels(bytes, paper)?;
+    cancel.check()?;
     let page = header.stored_page();
     let cells = |mm: f64| tone::cell((CELLS * mm / spacing_mm).ceil(), MAX_CELLS).max(2);
     let tone = resample::resample(
@@ -96,18 +104,21 @@ fn toned(bytes: &[u8], shading: &Shading, spacing_mm: f64) -> Result<(Header, To
         [cells(page.x), cells(page.y)],
         page,
     );
+    cancel.check()?;
     let tone = tone.oriented(header.orientation);
-    Ok((header, levels::levelled(&tone, shading, spacing_mm)))
+    Ok((header, levels::levelled(&tone, shading, spacing_mm, cancel)))
 }
 
-fn strokes(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
+fn strokes(tone: &Tone, shading: &Shading, spacing_mm: f64, cancel: &CancelToken) -> Vec<Stroke> {
     match shading.style {
-        ShadingStyle::Outline => outline::outlines(tone, shading, spacing_mm),
-        ShadingStyle::Lines => waves::waves(tone, shading, spacing_mm),
-        ShadingStyle::Spiral => spiral::spiral(tone, spacing_mm),
-        ShadingStyle::Flow => flow::flowing(tone, shading, spacing_mm),
-        ShadingStyle::Stipple | ShadingStyle::Tsp => stipple::stippled(tone, shading, spacing_mm),
-        ShadingStyle::Hatch => hatch::hatched(tone, shading, spacing_mm),
+        ShadingStyle::Outline => outline::outlines(tone, shading, spacing_mm, cancel),
+        ShadingStyle::Lines => waves::waves(tone, shading, spacing_mm, cancel),
+        ShadingStyle::Spiral => spiral::spiral(tone, spacing_mm, cancel),
+        ShadingStyle::Flow => flow::flowing(tone, shading, spacing_mm, cancel),
+        ShadingStyle::Stipple | ShadingStyle::Tsp => {
+            stipple::stippled(tone, shading, spacing_mm, cancel)
+        }
+        ShadingStyle::Hatch => hatch::hatched(tone, shading, spacing_mm, cancel),
     }
 }
 

@@ -52,7 +52,7 @@ impl<'a> Sketch<'a> {
             numbers: HashMap::new(),
             current: 0,
             continues: false,
-            budget: Budget::new(MAX_SEGMENTS),
+            budget: Budget::until(MAX_SEGMENTS, &options.cancel),
             borders: Vec::new(),
             stack: Stack::default(),
             hides: options.hides,
@@ -240,6 +240,11 @@ impl<'a> Sketch<'a> {
         self.note_curve(count as usize);
         let points = (0..=count).map(|i| point(f64::from(i) / chords));
         points.map(|p| self.check(at, p)).collect()
+    }
+
+    /// Checks that reading was not cancelled, for readers of much that leaves no ink.
+    pub(super) fn check_cancelled(&mut self) -> Result<(), SourceError> {
+        Ok(self.budget.spend(0)?)
     }
 
     pub(super) const fn tolerance_mm(&self) -> f64 {

@@ -151,4 +151,7 @@ impl From<&str> for Source {
 }
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod cancelled;
+#[cfg(test)]
 pub(crate) mod tests;

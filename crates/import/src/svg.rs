@@ -270,9 +270,11 @@ fn parse(
         return Err(SvgError::EmptyFile.into());
     }
     entities::check(text)?;
+    options.cancel.check()?;
     let doc = xml::tree(text, true)?;
     check_root(&doc)?;
     styles::check(&doc)?;
+    options.cancel.check()?;
     let facts = FileFacts {
         lone: lone_coordinates(&doc),
         unread: UnreadPlaces::of(&doc, text),
@@ -304,10 +306,11 @@ fn tree_of(
     options: &ReadOptions,
     tree_warnings: &TreeWarnings<'_>,
 ) -> Result<(Tree, HashMap<String, String>), SourceError> {
-    let segments = check::check(&doc, &mut Budget::new(MAX_SEGMENTS))?;
+    let segments = check::check(&doc, &mut Budget::until(MAX_SEGMENTS, &options.cancel))?;
     let rules = rules(&doc);
     expand::check(&doc, &rules, &segments)?;
     tree_warnings.note_unread(&doc, &rules);
+    options.cancel.check()?;
     let usvg_options = usvg::Options {
         font_family: options.fonts.family_name(&Family::Serif).to_owned(),
         fontdb: Arc::clone(&options.fonts),

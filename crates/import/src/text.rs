@@ -113,12 +113,10 @@ impl Text {
     /// Writes the text anywhere.
     fn layer(&self, options: &ReadOptions) -> Result<(Layer, Vec<Warning>), SourceError> {
         Ok(match &self.font {
-            Font::Stroke(font) => {
-                stroke::read(self, &Letters::BuiltIn(*font), options.tolerance_mm)?
-            }
+            Font::Stroke(font) => stroke::read(self, &Letters::BuiltIn(*font), options)?,
             Font::Svg(file) => {
                 let font = Letters::File(SvgFont::read(file)?);
-                stroke::read(self, &font, options.tolerance_mm)?
+                stroke::read(self, &font, options)?
             }
             Font::Outline(name) if name.to_ascii_lowercase().ends_with(".svg") => {
                 let what = format!("{name} is its name; give the content of the file");

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use dobot_arm::Position;
-use dobot_motion::Model;
+use dobot_motion::{Model, SAME_PLACE_MM};
 use dobot_wire::{Command, WriteVector};
 
 use crate::prelude::is_setting;
@@ -159,6 +159,5 @@ const fn order(a: usize, b: usize) -> [usize; 2] {
     if a < b { [a, b] } else { [b, a] }
 }
 
-/// Ends closer than this are not distinguishable, in millimetres. The status of an arm at rest
-/// repeats to a ten-thousandth; the margin is for what the model omits.
-pub const SPACING_MM: f64 = 0.02;
+/// Ends closer than this are not distinguishable, in millimetres.
+pub const SPACING_MM: f64 = SAME_PLACE_MM;

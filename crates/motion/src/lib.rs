@@ -64,6 +64,7 @@ mod model;
 mod plan_error;
 mod profile;
 mod ramp;
+mod return_wait;
 mod speeds;
 mod stroke;
 mod tick_progress;
@@ -81,6 +82,7 @@ pub use model::{
 pub use plan_error::PlanError;
 pub use profile::Profile;
 pub use ramp::Ramp;
+pub use return_wait::{ReturnWait, SAME_PLACE_MM};
 pub use speeds::Speeds;
 pub use stroke::{Stroke, StrokeSpeeds};
 pub use tick_progress::TickProgress;

@@ -3,11 +3,15 @@
 use thiserror::Error;
 
 use crate::PaperError;
+use dobot_geometry::Cancelled;
 
 /// The error returned when strokes cannot be planned.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PlanError {
+    /// Planning was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// There are no strokes.
     #[error("there is no stroke to plan")]
     NoStrokes,

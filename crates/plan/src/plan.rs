@@ -1,6 +1,8 @@
 //! A drawing planned vector by vector.
 
-use dobot_geometry::{Point, Stroke};
+use dobot_arm::Position;
+use dobot_geometry::{CancelToken, Point, Stroke};
+use dobot_motion::ReturnWait;
 
 use crate::path::endpoint::Endpoint;
 use crate::path::pieces::Pieces;
@@ -47,7 +49,22 @@ impl Plan {
     /// [`PlanError`] if there is nothing to draw, a setting is invalid, a laser is to burn on a
     /// slope, or the passes mix pens and lasers.
     pub fn new(passes: &[Pass], paper: &Paper, arm_limits: &ArmLimits) -> Result<Self, PlanError> {
-        Ok(Self::whole(passes, paper, arm_limits)?.with_pieces())
+        Self::new_until(passes, paper, arm_limits, &CancelToken::default())
+    }
+
+    /// Plans like [`Plan::new`], until the token is cancelled.
+    ///
+    /// # Errors
+    ///
+    /// See [`Plan::new`]; [`PlanError::Cancelled`] if the token was cancelled.
+    pub fn new_until(
+        passes: &[Pass],
+        paper: &Paper,
+        arm_limits: &ArmLimits,
+        cancel: &CancelToken,
+    ) -> Result<Self, PlanError> {
+        let whole = Self::whole_until(passes, paper, arm_limits, cancel)?;
+        whole.with_pieces(cancel)
     }
 
     /// Plans with one vector for each line of a stroke, however long it takes.
@@ -60,9 +77,18 @@ impl Plan {
         paper: &Paper,
         arm_limits: &ArmLimits,
     ) -> Result<Self, PlanError> {
+        Self::whole_until(passes, paper, arm_limits, &CancelToken::default())
+    }
+
+    fn whole_until(
+        passes: &[Pass],
+        paper: &Paper,
+        arm_limits: &ArmLimits,
+        cancel: &CancelToken,
+    ) -> Result<Self, PlanError> {
         check(passes, paper, arm_limits)?;
         let start = start(passes, paper)?;
-        let mut planner = Planner::new(start, &passes[0].tool, paper, arm_limits);
+        let mut planner = Planner::new(start, &passes[0].tool, paper, arm_limits, cancel);
         let mut plan = Self {
             start,
             moves: Vec::new(),
@@ -72,7 +98,7 @@ impl Plan {
         };
         for (number, pass) in (0..).zip(passes.iter().filter(|pass| pass.has_strokes())) {
             let before = planner.moves.len();
-            planner.pass(number, pass);
+            planner.pass(number, pass)?;
             let message = pass.message.clone();
             plan.breaks
                 .extend(message.map(|message| Break { before, message }));
@@ -88,11 +114,12 @@ impl Plan {
     }
 
     /// Divides the long vectors.
-    fn with_pieces(self) -> Self {
+    fn with_pieces(self, cancel: &CancelToken) -> Result<Self, PlanError> {
         let mut pieces = Pieces::new(&self.arm_limits, &self.passes[0].tool, self.start);
         let mut moves = Vec::with_capacity(self.moves.len());
         let mut begins = Vec::with_capacity(self.moves.len() + 1);
         for (index, vector) in self.moves.iter().enumerate() {
+            cancel.check()?;
             begins.push(moves.len());
             moves.extend(pieces.of(vector, self.moves.get(index + 1)));
         }
@@ -105,17 +132,27 @@ impl Plan {
             before: begins[pause.before],
             ..pause
         });
-        Self {
+        Ok(Self {
             moves,
             passes: passes.collect(),
             breaks: breaks.collect(),
             ..self
-        }
+        })
     }
 
-    /// Returns the duration of each vector, in seconds.
+    /// Returns the time that each vector takes, in seconds: its motion, and the wait before it
+    /// where the path returns to a place ([`ReturnWait`]).
     pub fn durations(&self) -> impl Iterator<Item = f64> {
-        self.moves.iter().map(|vector| vector.duration_s.into())
+        let mut return_wait = ReturnWait::new(self.arm_limits.link.period_s);
+        let mut here = self.start;
+        self.moves.iter().map(move |vector| {
+            let from = here;
+            let way = vector.increments();
+            here = [0, 1, 2].map(|i| from[i] + way[i]);
+            let [from, to] = [from, here].map(|[x, y, z]| Position::new(x, y, z));
+            let motion_s = f64::from(vector.duration_s);
+            return_wait.before_motion(from, to, motion_s) + motion_s
+        })
     }
 
     /// Returns the maximum height of the pen above the paper, in mm; 0 for a laser.

@@ -45,9 +45,10 @@ fn draws_every_bundled_drawing(tolerance: &str, dialect: &str) {
             "{file}: {report}"
         );
         assert_eq!(report["measured_from"], "the arm's true position");
-        // The plan is what happens: the tool is set before, and statuses pass until the end is seen.
-        let late_s = number(&report, "time_s") - number(&report, "planned_s");
-        assert!((-0.5..2.0).contains(&late_s), "{file}: {report}");
+        // Some statuses pass until the end is seen.
+        let time_s = number(&report, "time_s");
+        let late_s = time_s - number(&report, "planned_s");
+        assert!(late_s.abs() < 0.01 * time_s + 0.4, "{file}: {report}");
     }
     let known = ["csv", "dxf", "gcode", "jpg", "json", "lbrn2", "plt", "svg"];
     assert_eq!(kinds, known.map(|kind| Some(kind.into())).into());

@@ -16,13 +16,13 @@ use crate::arm::calibrated::known_paper;
 use crate::layout::place::PlaceError;
 use crate::layout::test_card::Card;
 use crate::material::{Material, Materials, UnknownMaterial};
-use crate::preparation::cancel::CancelToken;
 use crate::preparation::progress::Progress;
 use crate::prepare::{
     NamedSource, PrepareError, Prepared, Settings, prepare_multi_file, prepare_passes,
 };
 use crate::strokes::cutting::Cutting;
 use crate::strokes::hatch::Hatch;
+use dobot_geometry::CancelToken;
 
 /// A drawing request: its content and settings, except those that depend on the arm.
 #[derive(Clone, Debug)]

@@ -30,12 +30,15 @@ pub(super) fn passes<E>(
     settings.progress.begin(PrepareStep::Ordering, count);
     let (mut laid, mut has_lines) = (Vec::new(), false);
     for mut layer in layers {
+        settings.cancel.check()?;
         let tool = layers::tool(&layer, settings);
         let lines = Lines::of(&mut layer, tool, settings)?;
         has_lines |= !lines.is_empty();
         let lines = lines.on_sheet(settings, warnings)?;
         let lines = lines.try_map(|stroke| raw_strokes(stroke, tool, settings))?;
+        settings.cancel.check()?;
         let lines = lines.within_reach(tool, settings, reachable, warnings);
+        settings.cancel.check()?;
         // Areas without hatching leave no ink.
         if !lines.is_empty() {
             let lines = lines.joined(tool, settings, warnings);
@@ -224,7 +227,8 @@ impl Lines {
         let reaches = |p: Point| {
             let z_mm = settings.paper.z_at(p);
             let reaches = |z_mm| reachable(Position::new(p.x, p.y, z_mm)).is_ok();
-            reaches(z_mm) && reaches(z_mm + tool.lift_mm())
+            // Cancelled lines are not needed any more.
+            !settings.cancel.is_cancelled() && reaches(z_mm) && reaches(z_mm + tool.lift_mm())
         };
         let beside_mm = beside_mm(tool, settings);
         let is_in = |p| around(p, beside_mm).into_iter().all(&reaches);

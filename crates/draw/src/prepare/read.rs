@@ -19,7 +19,8 @@ pub(super) fn read(
     settings: &Settings,
 ) -> Result<(Placed, Vec<Warning>), PrepareError> {
     let is_alone = sources.len() == 1;
-    let named = |named: &NamedSource, error| match (is_alone, error) {
+    let named = |named: &NamedSource, error: SourceError| match (is_alone, error) {
+        (_, error) if error.is_cancelled() => PrepareError::Cancelled,
         (true, error) => PrepareError::Source(error),
         (false, error) => PrepareError::File {
             name: named.name.clone(),
@@ -193,6 +194,7 @@ impl<'a> Reading<'a> {
             fills: settings.hatch.is_some(),
             burns: settings.tool.burns() || settings.tools.iter().any(|(_, tool)| tool.burns()),
             fonts: Arc::clone(&settings.fonts),
+            cancel: settings.cancel.clone(),
             ..ReadOptions::default()
         };
         let page = source.source.picture_page()?;

@@ -13,12 +13,12 @@ use crate::arm::resume_point::ResumePoint;
 use crate::layout::copies::Grid;
 use crate::layout::marks::Marks;
 use crate::layout::place::Placement;
-use crate::preparation::cancel::CancelToken;
 use crate::preparation::progress::Progress;
 use crate::strokes::cutting::Cutting;
 use crate::strokes::hatch::{Hatch, hatch};
 use crate::strokes::order::{Search, Travel};
 use crate::strokes::simplify::MIN_VECTOR_MM;
+use dobot_geometry::CancelToken;
 
 /// The settings of a preparation.
 #[derive(Clone, Debug)]

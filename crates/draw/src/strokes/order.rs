@@ -25,7 +25,7 @@ use self::search::LocalSearch;
 use self::stops::{Stop, cost, drawn, given, turn_loops};
 pub use self::travel::Travel;
 use self::turns::Turns;
-use crate::preparation::cancel::CancelToken;
+use dobot_geometry::CancelToken;
 use dobot_geometry::{Point, Random, Stroke};
 
 /// The objective and effort of the search.

@@ -1,3 +1,4 @@
 //! Tests of executed drawings.
 
+mod cancelled;
 mod virtual_arm;

@@ -3,6 +3,7 @@
 mod bench;
 mod breaks;
 mod calibrated;
+mod durations;
 mod lasers;
 mod policy;
 mod timed_jogs;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use dobot_geometry::Point;
+use dobot_geometry::{CancelToken, Point};
 
 use super::line_type::LineType;
 use super::named::Named;
@@ -93,10 +93,11 @@ pub(super) struct Span<'a> {
 
 impl<'a> File<'a> {
     /// Reads the sections up to the end of the file, or to the first line that is no group.
-    pub(super) fn read(text: &'a [u8]) -> Result<Self, SourceError> {
+    pub(super) fn read(text: &'a [u8], cancel: &CancelToken) -> Result<Self, SourceError> {
         refuse_binary(text)?;
         let mut reader = SectionReader::new(text);
         for pair in pairs(text, beginning(text)) {
+            cancel.check()?;
             let pair = match pair {
                 Ok(pair) => pair,
                 Err(mistake) => return Ok(reader.cut_off(mistake)),

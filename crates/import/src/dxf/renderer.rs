@@ -71,6 +71,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
     fn entities(&mut self, spans: &[Span<'a>], copy: Copy<'_>) -> Result<(), SourceError> {
         let mut spans = spans.iter();
         while let Some(&span) = spans.next() {
+            self.sketch.check_cancelled()?;
             if copy.depth > 0 {
                 self.spend(span)?;
             }

@@ -1,5 +1,6 @@
 //! Errors of SVG files.
 
+use dobot_geometry::Cancelled;
 use thiserror::Error;
 
 use crate::place::Place;
@@ -119,6 +120,9 @@ pub enum SvgError {
         "clipping lines and areas takes too long; simplify the clip paths, or draw it in parts"
     )]
     TooManyCuts,
+    /// Reading was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// The page has no area or no size.
     #[error("the page has no area; set width, height or viewBox of <svg> above 0")]
     NoPage,

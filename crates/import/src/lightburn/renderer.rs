@@ -86,6 +86,7 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
         };
         for shape in shapes_in(root) {
             self.counts[0] += 1;
+            self.sketch.check_cancelled()?;
             self.shape_or_mistake(shape, pose)?;
         }
         Ok(())

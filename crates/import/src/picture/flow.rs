@@ -1,6 +1,6 @@
 //! Lines along the edges of a picture, denser in darker areas.
 
-use dobot_geometry::{CubicBez, ParamCurve, Point, Random, Stroke, Vec2};
+use dobot_geometry::{CancelToken, CubicBez, ParamCurve, Point, Random, Stroke, Vec2};
 
 use super::shading::Shading;
 use super::tone::{Tone, as_ink, cell, count};
@@ -10,16 +10,22 @@ use super::tone::{Tone, as_ink, cell, count};
 ///
 /// Each line starts at a free place, and continues in both directions until it comes too near to
 /// another line or to itself (evenly spaced streamlines). One that returns to its start is closed.
-pub(super) fn flowing(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
+pub(super) fn flowing(
+    tone: &Tone,
+    shading: &Shading,
+    spacing_mm: f64,
+    cancel: &CancelToken,
+) -> Vec<Stroke> {
     let mut flow = Flow {
-        ways: Ways::new(tone, shading.angle_deg, spacing_mm),
+        ways: Ways::new(tone, shading.angle_deg, spacing_mm, cancel),
         tone,
         spacing_mm,
         drawn: Drawn::new(tone.page(), spacing_mm),
         lines: 0,
     };
     let starts = starts(tone.page(), spacing_mm, shading.seed);
-    let strokes = starts.into_iter().filter_map(|start| flow.stroke(start));
+    let strokes = starts.into_iter().take_while(|_| !cancel.is_cancelled());
+    let strokes = strokes.filter_map(|start| flow.stroke(start));
     strokes.collect()
 }
 
@@ -152,8 +158,8 @@ struct Ways {
 }
 
 impl Ways {
-    fn new(tone: &Tone, angle_deg: f64, spacing_mm: f64) -> Self {
-        let soft = tone.blurred(spacing_mm);
+    fn new(tone: &Tone, angle_deg: f64, spacing_mm: f64, cancel: &CancelToken) -> Self {
+        let soft = tone.blurred(spacing_mm, cancel);
         let (mut cos, mut sin) = (soft.clone(), soft.clone());
         for y in 0..tone.height {
             for x in 0..tone.width {
@@ -165,8 +171,8 @@ impl Ways {
         }
         let (up, right) = angle_deg.to_radians().sin_cos();
         Self {
-            cos: cos.blurred(REGION * spacing_mm),
-            sin: sin.blurred(REGION * spacing_mm),
+            cos: cos.blurred(REGION * spacing_mm, cancel),
+            sin: sin.blurred(REGION * spacing_mm, cancel),
             otherwise: Vec2::new(right, -up),
         }
     }

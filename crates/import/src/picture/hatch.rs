@@ -1,6 +1,6 @@
 //! Straight hatch lines, in more directions in darker areas.
 
-use dobot_geometry::{Point, Stroke, steps};
+use dobot_geometry::{CancelToken, Point, Stroke, steps};
 
 use super::rows::{Rows, strokes};
 use super::shading::Shading;
@@ -11,8 +11,13 @@ use super::tone::{Tone, count};
 ///
 /// The lines of a direction are on one grid for the whole page, so that levels match. `spacing_mm`
 /// is on the page. Pieces and gaps shorter than about a spacing are omitted.
-pub(super) fn hatched(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
-    let tone = smoothed(tone).blurred(SOFTNESS * spacing_mm);
+pub(super) fn hatched(
+    tone: &Tone,
+    shading: &Shading,
+    spacing_mm: f64,
+    cancel: &CancelToken,
+) -> Vec<Stroke> {
+    let tone = smoothed(tone, cancel).blurred(SOFTNESS * spacing_mm, cancel);
     let set = |level: u8| {
         let rows = Rows {
             page: tone.page(),
@@ -22,6 +27,7 @@ pub(super) fn hatched(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<St
         };
         let steps = [2 * level, 2 * level + 1].map(|value| threshold(value, 2 * shading.levels));
         let lines = rows.lines().into_iter().zip(steps.into_iter().cycle());
+        let lines = lines.take_while(|_| !cancel.is_cancelled());
         let pieces = |(line, threshold)| pieces(&tone, &rows, line, threshold);
         strokes(
             lines.map(pieces).collect(),

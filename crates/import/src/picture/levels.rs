@@ -1,5 +1,7 @@
 //! The tone adjustment of drawings: full range from white to black.
 
+use dobot_geometry::CancelToken;
+
 use super::shading::{Shading, ShadingStyle};
 use super::tone::{Tone, as_ink, count};
 
@@ -8,13 +10,18 @@ use super::tone::{Tone, as_ink, count};
 ///
 /// Dull photos become rich; dark and light ones move half the way to a medium tone; black and white
 /// stay. `spacing_mm` is on the page.
-pub(super) fn levelled(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Tone {
+pub(super) fn levelled(
+    tone: &Tone,
+    shading: &Shading,
+    spacing_mm: f64,
+    cancel: &CancelToken,
+) -> Tone {
     let turned = if shading.invert {
         tone.map(|ink| 1.0 - ink)
     } else {
         tone.clone()
     };
-    let clear = set_off(&stretched(&turned), SURROUNDINGS * spacing_mm);
+    let clear = set_off(&stretched(&turned), SURROUNDINGS * spacing_mm, cancel);
     let exponent = as_ink(balance(&clear) / shading.darkness);
     clear.map(|ink| adjusted(ink.powf(exponent), shading))
 }
@@ -35,8 +42,8 @@ fn adjusted(ink: f32, shading: &Shading) -> f32 {
 }
 
 /// Increases the contrast to the surroundings.
-fn set_off(tone: &Tone, radius_mm: f64) -> Tone {
-    let around = tone.blurred(radius_mm);
+fn set_off(tone: &Tone, radius_mm: f64, cancel: &CancelToken) -> Tone {
+    let around = tone.blurred(radius_mm, cancel);
     let pairs = tone.ink.iter().zip(&around.ink);
     let clear = pairs.map(|(ink, around)| (ink + CLARITY * (ink - around)).clamp(0.0, 1.0));
     Tone {

@@ -1,6 +1,6 @@
 //! The borders between tones.
 
-use dobot_geometry::{Point, Stroke, Vec2};
+use dobot_geometry::{CancelToken, Point, Stroke, Vec2};
 
 use super::contour::contours;
 use super::levels::Histogram;
@@ -13,15 +13,21 @@ use super::tone::{Tone, count};
 ///
 /// Grain finer than `spacing_mm` (on the page) is smoothed, and smaller areas are left out. So are
 /// borders along a gentle gradient, such as a darkening sky, unless a threshold is set.
-pub(super) fn outlines(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
-    let tone = smoothed(tone);
+pub(super) fn outlines(
+    tone: &Tone,
+    shading: &Shading,
+    spacing_mm: f64,
+    cancel: &CancelToken,
+) -> Vec<Stroke> {
+    let tone = smoothed(tone, cancel);
     let (thresholds, least) = match shading.threshold {
         Some(threshold) => (vec![threshold], 0.0),
         None => (Histogram::of(&tone).thresholds(shading.levels), GENTLE),
     };
-    let tone = tone.blurred(SOFTNESS * spacing_mm);
+    let tone = tone.blurred(SOFTNESS * spacing_mm, cancel);
     let lines = thresholds
         .iter()
+        .take_while(|_| !cancel.is_cancelled())
         .flat_map(|&threshold| contours(&tone, threshold));
     let seen = lines.filter(|line| is_seen(line, spacing_mm));
     seen.filter(|item| steepness(&tone, item, spacing_mm) >= least)

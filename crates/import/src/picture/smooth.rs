@@ -1,23 +1,25 @@
 //! Smoothing that keeps edges.
 
+use dobot_geometry::CancelToken;
+
 use super::tone::Tone;
 
 /// Smooths each tone with its neighbours, less the more they differ (Perona-Malik diffusion): grain
 /// and gentle gradients become smooth while edges stay.
-pub(super) fn smoothed(tone: &Tone) -> Tone {
+pub(super) fn smoothed(tone: &Tone, cancel: &CancelToken) -> Tone {
     let mut smooth = tone.clone();
     let mut before = Vec::with_capacity(tone.ink.len());
     for _ in 0..ROUNDS {
         before.clear();
         before.extend_from_slice(&smooth.ink);
-        round(&before, &mut smooth);
+        round(&before, &mut smooth, cancel);
     }
     smooth
 }
 
-fn round(before: &[f32], tone: &mut Tone) {
+fn round(before: &[f32], tone: &mut Tone, cancel: &CancelToken) {
     let (width, height) = (tone.width, tone.height);
-    for y in 0..height {
+    for y in (0..height).take_while(|_| !cancel.is_cancelled()) {
         let row = |y: usize| &before[y * width..][..width];
         let (above, here, below) = (
             row(y.saturating_sub(1)),
@@ -62,7 +64,11 @@ mod tests {
             cell: Point::new(1.0, 1.0),
             ink: (0..400).map(ink).collect(),
         };
-        for (i, ink) in smoothed(&tone).ink.into_iter().enumerate() {
+        for (i, ink) in smoothed(&tone, &CancelToken::default())
+            .ink
+            .into_iter()
+            .enumerate()
+        {
             let wanted = if i % 20 < 10 { 0.2 } else { 0.8 };
             assert!((ink - wanted).abs() < 0.05, "{i}: {ink}");
             let far = (i % 20).abs_diff(9) > 4;

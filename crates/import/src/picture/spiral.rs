@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dobot_geometry::{Point, Stroke, Vec2};
+use dobot_geometry::{CancelToken, Point, Stroke, Vec2};
 
 use super::tone::Tone;
 use super::waves::{FAINT, FASTEST, GO_ON, SHORTEST, SLOWEST, SOFTNESS, WIDEST, strength};
@@ -11,8 +11,8 @@ use super::waves::{FAINT, FASTEST, GO_ON, SHORTEST, SLOWEST, SOFTNESS, WIDEST, s
 /// the corners. In white areas and beyond the page, the pen is lifted.
 ///
 /// Each swing is one vector, because the arm's link is slow: the wave is a zigzag.
-pub(super) fn spiral(tone: &Tone, spacing_mm: f64) -> Vec<Stroke> {
-    let tone = tone.blurred(SOFTNESS * spacing_mm);
+pub(super) fn spiral(tone: &Tone, spacing_mm: f64, cancel: &CancelToken) -> Vec<Stroke> {
+    let tone = tone.blurred(SOFTNESS * spacing_mm, cancel);
     let page = tone.page();
     let middle = page.to_vec2() * 0.5;
     let farthest_mm = middle.length();
@@ -26,7 +26,7 @@ pub(super) fn spiral(tone: &Tone, spacing_mm: f64) -> Vec<Stroke> {
     let (mut angle, mut side) = (0.0_f64, 1.0);
     loop {
         let radius_mm = spacing_mm * angle / TAU;
-        if radius_mm > farthest_mm {
+        if radius_mm > farthest_mm || cancel.is_cancelled() {
             break;
         }
         let out = Vec2::from_angle(angle);

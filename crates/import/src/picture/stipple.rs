@@ -1,6 +1,6 @@
 //! Dots, denser in darker areas.
 
-use dobot_geometry::{Point, Random, Stroke, Vec2};
+use dobot_geometry::{CancelToken, Point, Random, Stroke, Vec2};
 
 use super::shading::Shading;
 use super::tone::Tone;
@@ -11,10 +11,15 @@ use super::tone::Tone;
 /// Error diffusion sets as many dots as the tone needs; then each dot moves to the centroid of its
 /// nearest ink, a few times (Lloyd's method). The ink is squared there, because otherwise the
 /// density would converge to the root of the ink.
-pub(super) fn stippled(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
+pub(super) fn stippled(
+    tone: &Tone,
+    shading: &Shading,
+    spacing_mm: f64,
+    cancel: &CancelToken,
+) -> Vec<Stroke> {
     let mut dots = scattered(tone, shading.seed, spacing_mm);
     if !dots.is_empty() {
-        relax(tone, &mut dots);
+        relax(tone, &mut dots, cancel);
     }
     let strokes = dots.into_iter().map(|dot| Stroke::open(vec![dot]));
     strokes.collect()
@@ -55,10 +60,13 @@ fn scattered(tone: &Tone, seed: u64, spacing_mm: f64) -> Vec<Point> {
 }
 
 /// Moves each dot to the centroid of its nearest ink, repeatedly.
-fn relax(tone: &Tone, dots: &mut [Point]) {
+fn relax(tone: &Tone, dots: &mut [Point], cancel: &CancelToken) {
     let mut nearest = Nearest::new(tone, dots);
     for _ in 0..ROUNDS {
-        nearest.update(dots);
+        nearest.update(dots, cancel);
+        if cancel.is_cancelled() {
+            return;
+        }
         let middles = middles(tone, &nearest, dots.len());
         for (dot, middle) in dots.iter_mut().zip(middles) {
             // Around a white hole the centroid may be in it.
@@ -109,12 +117,12 @@ impl<'a> Nearest<'a> {
         Self { tone, dot }
     }
 
-    fn update(&mut self, dots: &[Point]) {
+    fn update(&mut self, dots: &[Point], cancel: &CancelToken) {
         let height = self.tone.height;
-        for y in 0..height {
+        for y in (0..height).take_while(|_| !cancel.is_cancelled()) {
             self.sweep(dots, y, y.checked_sub(1));
         }
-        for y in (0..height).rev() {
+        for y in (0..height).rev().take_while(|_| !cancel.is_cancelled()) {
             self.sweep(dots, y, (y + 1 < height).then_some(y + 1));
         }
     }

@@ -141,7 +141,7 @@ fn dots_are_distributed_according_to_the_tone() {
                 seed,
                 ..Shading::new(ShadingStyle::Stipple)
             };
-            stipple::stippled(&tone, &shading, 1.0)
+            stipple::stippled(&tone, &shading, 1.0, &CancelToken::default())
         });
         let dots: Vec<Stroke> = drawings.flatten().collect();
         let on_the_left = dots.iter().filter(|dot| dot.points[0].x < 20.0).count();

@@ -1,6 +1,6 @@
 //! The darkness of a page, on a grid.
 
-use dobot_geometry::Point;
+use dobot_geometry::{CancelToken, Point};
 
 use super::exif::Orientation;
 
@@ -52,10 +52,10 @@ impl Tone {
     }
 
     /// Blurs the tones with the standard deviation `radius_mm`.
-    pub(super) fn blurred(&self, radius_mm: f64) -> Self {
-        let rows = blur_rows(&self.ink, self.width, radius_mm / self.cell.x);
+    pub(super) fn blurred(&self, radius_mm: f64, cancel: &CancelToken) -> Self {
+        let rows = blur_rows(&self.ink, self.width, radius_mm / self.cell.x, cancel);
         let columns = transposed(&rows, self.width);
-        let columns = blur_rows(&columns, self.height, radius_mm / self.cell.y);
+        let columns = blur_rows(&columns, self.height, radius_mm / self.cell.y, cancel);
         Self {
             ink: transposed(&columns, self.height),
             ..*self
@@ -116,12 +116,16 @@ fn transposed(ink: &[f32], width: usize) -> Vec<f32> {
 }
 
 /// Gaussian blur along the rows; the edge values continue beyond the edge.
-fn blur_rows(ink: &[f32], width: usize, sigma: f64) -> Vec<f32> {
+fn blur_rows(ink: &[f32], width: usize, sigma: f64, cancel: &CancelToken) -> Vec<f32> {
     let bell = bell(sigma);
     let reach = bell.len() / 2;
     let mut padded = Vec::with_capacity(width + 2 * reach);
     let mut out = Vec::with_capacity(ink.len());
     for row in ink.chunks(width) {
+        if cancel.is_cancelled() {
+            out.extend_from_slice(row);
+            continue;
+        }
         padded.clear();
         padded.extend(std::iter::repeat_n(row[0], reach));
         padded.extend_from_slice(row);
@@ -177,7 +181,7 @@ mod tests {
 
     #[test]
     fn a_blur_preserves_the_middle_of_an_edge_and_distant_pixels() {
-        let tone = step().blurred(0.5);
+        let tone = step().blurred(0.5, &CancelToken::default());
         assert!((tone.at(Point::new(2.0, 1.0)) - 0.5).abs() < 1e-6);
         assert!(tone.at(Point::new(0.25, 1.0)) < 0.01);
         assert!(tone.at(Point::new(3.75, 1.0)) > 0.99);

@@ -1,6 +1,6 @@
 //! Parallel waves, wider and faster in darker areas.
 
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{CancelToken, Point, Stroke};
 
 use super::rows::{Rows, strokes};
 use super::shading::Shading;
@@ -11,8 +11,13 @@ use super::tone::Tone;
 /// Each swing is one vector, because the arm's link is slow: the wave is a zigzag. In light areas
 /// the lines are straight, in lighter ones every other line is left out, in white ones all are.
 /// `spacing_mm` is on the page.
-pub(super) fn waves(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
-    let tone = tone.blurred(SOFTNESS * spacing_mm);
+pub(super) fn waves(
+    tone: &Tone,
+    shading: &Shading,
+    spacing_mm: f64,
+    cancel: &CancelToken,
+) -> Vec<Stroke> {
+    let tone = tone.blurred(SOFTNESS * spacing_mm, cancel);
     let rows = Rows {
         page: tone.page(),
         margin_mm: WIDEST * spacing_mm,
@@ -20,7 +25,11 @@ pub(super) fn waves(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stro
         angle_deg: shading.angle_deg,
     };
     let line = |(i, [a, b]): (usize, [Point; 2])| Wave::new(&tone, &rows, i, a).pieces(b);
-    let lines = rows.lines().into_iter().enumerate().map(line).collect();
+    let lines = rows.lines().into_iter().enumerate();
+    let lines = lines
+        .take_while(|_| !cancel.is_cancelled())
+        .map(line)
+        .collect();
     strokes(lines, REACH * spacing_mm, shading.apart)
 }
 

@@ -43,6 +43,7 @@ pub(crate) fn read(
     };
     let mut at = beginning(text.as_bytes());
     for line in text[at..].split_inclusive('\n') {
+        options.cancel.check()?;
         reader.line(at, line.trim_end_matches(['\r', '\n']))?;
         at += line.len();
     }

@@ -46,7 +46,7 @@ impl SvgPage {
             edge: options.crops.then(|| PageEdge::new(size_mm)),
             cut_mm: 0.0,
             cut_lines: 0,
-            budget: Budget::new(MAX_SEGMENTS),
+            budget: Budget::until(MAX_SEGMENTS, &options.cancel),
             corners_left: MAX_CLIPPED_CORNERS,
             layers: Layers::new(by),
             hides: options.hides,

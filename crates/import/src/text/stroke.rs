@@ -11,6 +11,7 @@ use super::{Text, layer};
 use crate::artwork::Layer;
 use crate::error::SourceError;
 use crate::limits::{Budget, MAX_SEGMENTS};
+use crate::options::ReadOptions;
 use crate::svg::SvgFont;
 use crate::warning::Warning;
 
@@ -47,9 +48,9 @@ impl Letters {
 pub(super) fn read(
     text: &Text,
     font: &Letters,
-    tolerance_mm: f64,
+    options: &ReadOptions,
 ) -> Result<(Layer, Vec<Warning>), SourceError> {
-    let mut writer = Writer::new(font, text.height_mm, tolerance_mm);
+    let mut writer = Writer::new(font, text.height_mm, options);
     let whole = Text {
         text: composed_for(&text.text, |c| font.has(c)).into_owned(),
         ..text.clone()
@@ -89,15 +90,15 @@ struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    fn new(font: &'a Letters, height_mm: f64, tolerance_mm: f64) -> Self {
+    fn new(font: &'a Letters, height_mm: f64, options: &ReadOptions) -> Self {
         let scale = height_mm / CAPITAL;
         Self {
             font,
             scale,
-            tolerance: tolerance_mm / scale,
+            tolerance: options.tolerance_mm / scale,
             letters: HashMap::new(),
             strokes: Vec::new(),
-            budget: Budget::new(MAX_SEGMENTS),
+            budget: Budget::until(MAX_SEGMENTS, &options.cancel),
             missing: Vec::new(),
             missed: 0,
         }

@@ -46,6 +46,9 @@ impl Planner<'_> {
             }
             let mut wanted = SwitchLead::at_speed(laser, self.arm_limits);
             for _ in 0..BURN_ROUNDS {
+                if best.is_some() && self.cancel.is_cancelled() {
+                    return;
+                }
                 // Planning changes the state of the arm, so every attempt starts from the
                 // checkpoint.
                 if is_planned {

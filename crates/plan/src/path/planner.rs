@@ -1,6 +1,6 @@
 //! From strokes to vectors: the paths of the tool, chain by chain.
 
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{CancelToken, Cancelled, Point, Stroke};
 
 use crate::path::detour::detour;
 use crate::path::endpoint::Endpoint;
@@ -21,6 +21,8 @@ use crate::{ArmLimits, DrawingTool, MoveKind, Paper, Pass, Pen, PlannedVector};
 pub(crate) struct Planner<'a> {
     paper: &'a Paper,
     pub(crate) arm_limits: &'a ArmLimits,
+    /// Once it is cancelled, the search for speeds ends with the first that it finds.
+    pub(crate) cancel: &'a CancelToken,
     pub(crate) chain_speeds: ChainSpeeds,
     /// Present if the arm has ticks.
     pub(crate) ticker: Option<Ticker>,
@@ -49,12 +51,14 @@ impl<'a> Planner<'a> {
         tool: &DrawingTool,
         paper: &'a Paper,
         arm_limits: &'a ArmLimits,
+        cancel: &'a CancelToken,
     ) -> Self {
         let ticker = Ticker::of(arm_limits, 0.0);
-        let chain_speeds = ChainSpeeds::new(arm_limits);
+        let chain_speeds = ChainSpeeds::new(arm_limits).until(cancel);
         Self {
             paper,
             arm_limits,
+            cancel,
             chain_speeds: if tool.burns() {
                 chain_speeds.with_pieces(LONGEST_BURN_S)
             } else {
@@ -83,7 +87,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    pub(crate) fn pass(&mut self, number: u32, pass: &Pass) {
+    pub(crate) fn pass(&mut self, number: u32, pass: &Pass) -> Result<(), Cancelled> {
         self.plan_travel(0);
         self.pass = number;
         self.objective = Objective::of(&pass.tool);
@@ -93,7 +97,9 @@ impl<'a> Planner<'a> {
                 DrawingTool::Pen(pen) => self.draw(stroke, pen),
                 DrawingTool::Laser(laser) => self.burn(stroke, laser),
             }
+            self.cancel.check()?;
         }
+        Ok(())
     }
 
     /// Plans a pen stroke.

@@ -57,6 +57,7 @@ impl Planner<'_> {
             *last = 1.0;
         }
         let fits = TickChain {
+            cancel: self.cancel,
             moves: &self.moves[begin..end],
             chain: &self.travel.chain,
             speeds: &self.travel.speeds,

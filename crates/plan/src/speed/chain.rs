@@ -2,6 +2,8 @@
 
 use std::iter::repeat;
 
+use dobot_geometry::CancelToken;
+
 use crate::ArmLimits;
 use crate::speed::link::Credit;
 use crate::speed::lookahead::{ChainVector, Cornering, Junction};
@@ -14,6 +16,7 @@ use crate::speed::speeds::Speeds;
 pub(crate) struct ChainSpeeds {
     cornering: Cornering,
     begin_mm_s: f64,
+    cancel: CancelToken,
     /// Seconds between packets.
     period_s: f64,
     /// The vectors queued in the arm.
@@ -33,11 +36,20 @@ impl ChainSpeeds {
                 ..arm_limits.cornering()
             },
             begin_mm_s: 0.0,
+            cancel: CancelToken::default(),
             period_s: arm_limits.link.period_s,
             credit: Credit::new(arm_limits.link),
             junctions: Vec::new(),
             wanted_s: Vec::new(),
             sampled: Vec::new(),
+        }
+    }
+
+    /// Ends the rounds of a plan once the token is cancelled.
+    pub(crate) fn until(self, cancel: &CancelToken) -> Self {
+        Self {
+            cancel: cancel.clone(),
+            ..self
         }
     }
 
@@ -113,6 +125,9 @@ impl ChainSpeeds {
     fn plan_with_link(&mut self, chain: &mut [ChainVector]) {
         self.sampled.clear();
         for round in 0..ROUNDS {
+            if self.cancel.is_cancelled() {
+                break;
+            }
             self.plan_motion(chain);
             let credit = self.credit;
             let keeps_up = self.wait_for_link(chain);

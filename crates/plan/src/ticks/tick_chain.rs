@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
+use dobot_geometry::CancelToken;
 use dobot_wire::single;
 
 use crate::path::commands::write;
@@ -18,6 +19,8 @@ use crate::{MoveKind, PlannedVector};
 /// A chain and its target speeds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TickChain<'a> {
+    /// Once it is cancelled, the first speeds found are kept.
+    pub cancel: &'a CancelToken,
     pub moves: &'a [PlannedVector],
     pub chain: &'a [ChainVector],
     pub speeds: &'a [Speeds],
@@ -165,6 +168,11 @@ impl TickChain<'_> {
         let mut steps: Vec<Step> = Vec::new();
         let mut candidates = vec![first];
         for i in begin..self.moves.len() {
+            let breadth = if self.cancel.is_cancelled() {
+                Breadth::ONE
+            } else {
+                breadth
+            };
             let packet = write(&self.moves[i]);
             let wish = TickPreference {
                 objective: self.objective,
@@ -490,7 +498,7 @@ mod tests {
             let mut chain: Vec<ChainVector> = moves.iter().map(run).collect();
             let (over, most_mm_s) = (vec![1.0; moves.len()], vec![40.0; moves.len()]);
             let before: Vec<Speeds> = ChainSpeeds::new(&arm_limits).plan(&mut chain, Objective::Fast).collect();
-            let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, objective: Objective::Fast, over: &over, most_mm_s: &most_mm_s, before: LastPositions::default() }
+            let mut fits = TickChain { cancel: &CancelToken::default(), moves: &moves, chain: &chain, speeds: &before, objective: Objective::Fast, over: &over, most_mm_s: &most_mm_s, before: LastPositions::default() }
                 .fits(&ticker, Breadth::MANY);
             check(&ticker, &moves, &before, &fits)?;
             for (at, share) in slower {
@@ -499,7 +507,7 @@ mod tests {
             }
             let speeds: Vec<Speeds> = ChainSpeeds::new(&arm_limits).plan(&mut chain, Objective::Fast).collect();
             let changed: Vec<bool> = speeds.iter().zip(&before).map(|(now, before)| now != before).collect();
-            TickChain { moves: &moves, chain: &chain, speeds: &speeds, objective: Objective::Fast, over: &over, most_mm_s: &most_mm_s, before: LastPositions::default() }
+            TickChain { cancel: &CancelToken::default(), moves: &moves, chain: &chain, speeds: &speeds, objective: Objective::Fast, over: &over, most_mm_s: &most_mm_s, before: LastPositions::default() }
                 .repair(&ticker, &mut fits, &changed, Breadth::MANY);
             prop_assert_eq!(fits.len(), moves.len());
             check(&ticker, &moves, &speeds, &fits)?;

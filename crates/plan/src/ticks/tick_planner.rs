@@ -54,7 +54,8 @@ impl Planner<'_> {
         let (mut splits, mut in_vain) = (0, 0);
         for _ in 0..MAX_ROUNDS {
             // Neither more rounds nor splits would help further.
-            if !attempt.is_sharp() || in_vain == MAX_FAILED_ROUNDS {
+            let is_cancelled = self.cancel.is_cancelled();
+            if is_cancelled || !attempt.is_sharp() || in_vain == MAX_FAILED_ROUNDS {
                 break;
             }
             let is_split =
@@ -167,6 +168,7 @@ impl Planner<'_> {
 
     fn tick_chain<'a>(&'a self, plan: &'a TickPlan, speeds: &'a [Speeds]) -> TickChain<'a> {
         TickChain {
+            cancel: self.cancel,
             objective: self.objective,
             moves: &self.moves[plan.begin..],
             chain: &self.chain,

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use dobot_api::JobProgram;
 use dobot_arm::{Calibration, Joints, Position, Tool};
 use dobot_journal::HeightChange;
-use dobot_motion::{ArmPlace, Model, burns};
+use dobot_motion::{ArmPlace, Model, ReturnWait, burns};
 use dobot_safety::{Policy, Violation};
 use dobot_session::position;
 use dobot_wire::{
@@ -108,6 +108,7 @@ impl JobPlan {
             height: Height::planned(burns),
             unjudged: (given > first).then_some(first),
             until_s: 0.0,
+            return_wait: ReturnWait::new(model.dialect.status_period().as_secs_f64()),
         };
         let mut plan = Self {
             planned: Arc::default(),
@@ -405,6 +406,7 @@ struct PlanWalk<'a> {
     /// The command whose path is not checked.
     unjudged: Option<usize>,
     until_s: f64,
+    return_wait: ReturnWait,
 }
 
 impl PlanWalk<'_> {
@@ -443,7 +445,7 @@ impl PlanWalk<'_> {
         })?;
         let before = self.model;
         self.model = self.model.after(command, &trajectory);
-        self.until_s += takes_s;
+        self.until_s += self.return_wait.before(&before, &trajectory, &self.model) + takes_s;
         Ok(Step {
             end: self.model.status(),
             grips: Grips {

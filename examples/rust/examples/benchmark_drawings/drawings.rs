@@ -7,7 +7,7 @@ use dobot_geometry::{Point, Random};
 use dobot_lettering::{Anchor, strokes, width};
 
 /// All drawings.
-pub(crate) const ALL: [Benchmark; 10] = [
+pub(crate) const ALL: [Benchmark; 12] = [
     Benchmark::new("hilbert", hilbert),
     Benchmark::new("hilbert-shuffled", || shuffled(hilbert_segments())),
     Benchmark::new("spirograph", spirograph),
@@ -18,6 +18,8 @@ pub(crate) const ALL: [Benchmark; 10] = [
     Benchmark::new("stipple-shuffled", || shuffled(stipple())),
     Benchmark::new("hatch", hatch),
     Benchmark::new("hatch-shuffled", || shuffled(hatch())),
+    Benchmark::new("engraving", engraving),
+    Benchmark::new("circuit", circuit),
 ];
 
 /// A benchmark drawing.
@@ -166,6 +168,51 @@ fn hatch() -> Vec<String> {
     lines.retain(|line| length(line) >= least);
     lines.truncate(5000);
     lines.iter().map(|line| path(line, "")).collect()
+}
+
+/// 24,000 short curved strokes that follow the waves of a field, at random places.
+fn engraving() -> Vec<String> {
+    let mut random = Random::new(3);
+    let stroke = |_| {
+        let mut at = [
+            3.0 + 194.0 * share(&mut random),
+            3.0 + 114.0 * share(&mut random),
+        ];
+        let mut angle = (0.05 * at[0]).sin() + (0.07 * at[1]).cos();
+        let points = (0..5).map(|_| {
+            let here = at;
+            angle += 0.15;
+            at = [here[0] + 0.4 * angle.cos(), here[1] + 0.4 * angle.sin()];
+            here
+        });
+        path(&points.collect::<Vec<_>>(), "")
+    };
+    (0..24_000).map(stroke).collect()
+}
+
+/// A circuit board: 300 round pads, and 1,100 tracks that turn by 45 degrees.
+fn circuit() -> Vec<String> {
+    let mut random = Random::new(5);
+    let mut place = |width: usize, height: usize| {
+        let [x, y] = [width, height].map(|most| below(&mut random, most) + 8);
+        format!(r#"<path d="M{x} {y}"#)
+    };
+    let mut paths = Vec::new();
+    for pad in 0..300 {
+        let radius = [0.5, 0.8, 1.0][pad % 3];
+        let half = |way: f64| format!("a{radius} {radius} 0 1 1 {way} 0");
+        let (there, back) = (half(2.0 * radius), half(-2.0 * radius));
+        paths.push(place(184, 104) + &there + &back + r#"z"/>"#);
+    }
+    for track in 0..1100_usize {
+        let part = |i: usize| {
+            let way = ["h6", "h-6", "h3", "h-3"][(track / 3 + i) % 4];
+            let turn = ["l2 2", "l-2 2", "l2 -2", "l-2 -2"][(track + 3 * i) % 4];
+            format!("{way}{turn}")
+        };
+        paths.push(place(184, 104) + &part(0) + &part(1) + &part(2) + r#""/>"#);
+    }
+    paths
 }
 
 /// Parallel lines, interrupted where the picture is too bright for them.

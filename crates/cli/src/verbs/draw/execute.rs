@@ -6,12 +6,11 @@ use std::time::Duration;
 use anyhow::anyhow;
 use dobot_api::{RemoteError, State, problem_kinds};
 use dobot_host::{StationClient, drawing_job};
-use dobot_motion::Model;
 use dobot_plan::Plan;
 use dobot_session::position;
 use indicatif::ProgressBar;
 
-use crate::control::{self, arm_laser, first_state, line_entered, take_control};
+use crate::control::{arm_laser, first_state, line_entered, take_control};
 use crate::failure::Failure;
 use crate::follow;
 use crate::interrupt::interrupt;
@@ -19,7 +18,7 @@ use crate::interrupt::interrupt;
 /// The outcome of a plan: its duration or failure, and the reported positions.
 pub(super) struct Executed {
     pub(super) outcome: Result<Duration, Failure>,
-    /// The duration by the motion model, in seconds, including the way to the start; `None` if it was not
+    /// The planned duration of the job, in seconds, including the way to the start; `None` if it was not
     /// executed.
     pub(super) planned_s: Option<f64>,
     pub(super) seen: Vec<dobot_arm::Position>,
@@ -51,12 +50,12 @@ pub(super) async fn execute(
     bar: &ProgressBar,
 ) -> Executed {
     let mut seen = Vec::new();
+    let mut planned_s = None;
     let see = |state: &State| {
         seen.extend(state.arm.as_ref().map(|arm| position(&arm.status)));
+        let job = state.job.as_ref();
+        planned_s = job.and_then(|job| job.planned_s).or(planned_s);
     };
-    let planned_s = way_s(station, plan)
-        .await
-        .map(|way_s| way_s + plan.duration_s());
     let outcome = match submit(station, plan, title, armed_for).await {
         Ok(job) => {
             let outcome = follow::start_shown(station, job, plan.burns(), bar, see).await;
@@ -72,14 +71,6 @@ pub(super) async fn execute(
         planned_s,
         seen,
     }
-}
-
-/// The duration of the way from the arm's position to the start of the plan, in seconds.
-async fn way_s(station: &mut StationClient, plan: &Plan) -> Option<f64> {
-    let (arm, dialect) = control::arm(station).await.ok()?;
-    let model = Model::new(dialect?, &arm.status);
-    let to_start = plan.commands().nth(plan.command_of(0) - 1)?;
-    model.trajectory(&to_start).ok()?.duration_s()
 }
 
 async fn submit(

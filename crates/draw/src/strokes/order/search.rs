@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 
 use super::nodes::{Near, Nodes};
 use super::tour::{MAX_EDGES, Tour};
-use crate::preparation::cancel::CancelToken;
+use dobot_geometry::CancelToken;
 
 /// Exchanges edges while the tour gets shorter (Lin-Kernighan): removes an edge, adds a shorter one
 /// to a near node, removes an edge there, and so on, until joining the two loose ends leaves a

@@ -13,7 +13,7 @@ use dobot_geometry::Random;
 
 use super::nodes::{Near, Nodes};
 use super::row::{Part, Row};
-use crate::preparation::cancel::CancelToken;
+use dobot_geometry::CancelToken;
 
 /// Moves parts of an order while it gets shorter.
 #[derive(Debug)]

@@ -153,6 +153,19 @@ struct Label {
     before: Option<usize>,
 }
 
+impl Label {
+    /// Notes how a node is reached from another one, if that is sooner than known.
+    fn reach(labels: &mut [Self], here: usize, there: usize, took_s: f64) {
+        let time_s = labels[here].time_s + took_s;
+        if time_s < labels[there].time_s {
+            labels[there] = Self {
+                time_s,
+                before: Some(here),
+            };
+        }
+    }
+}
+
 /// Paths with common start and end.
 struct Paths<'a> {
     corridor: &'a Corridor<'a>,
@@ -199,22 +212,12 @@ impl Paths<'_> {
         // All edges lead forward along the stroke, so the label of a node is final when it is
         // expanded.
         for (here, node) in nodes.iter().enumerate() {
-            let time_s = labels[here].time_s;
-            let mut note = |there: usize, took_s: f64| {
-                if time_s + took_s < labels[there].time_s {
-                    labels[there] = Label {
-                        time_s: time_s + took_s,
-                        before: Some(here),
-                    };
-                }
-            };
             if let Some(next) = self.next_corner(*node) {
                 let times_s = &self.all[node.path].times_s;
-                note(
-                    places[node.path][next],
-                    times_s[next] - times_s[node.corner],
-                );
-                self.change(nodes, here, note);
+                let took_s = times_s[next] - times_s[node.corner];
+                let there = places[node.path][next];
+                Label::reach(&mut labels, here, there, took_s);
+                self.change(nodes, here, &mut labels);
             }
         }
         labels
@@ -230,8 +233,8 @@ impl Paths<'_> {
         (next < self.all[node.path].corners.len()).then_some(next)
     }
 
-    /// Reports the corners of other paths that one vector reaches from here, with its duration.
-    fn change(&self, nodes: &[Node], here: usize, mut note: impl FnMut(usize, f64)) {
+    /// Updates the corners of other paths that one vector from here reaches sooner than known.
+    fn change(&self, nodes: &[Node], here: usize, labels: &mut [Label]) {
         let (node, from) = (nodes[here], self.corner(nodes[here]));
         let own_mm = &self.all[node.path].gone_mm;
         let until_mm = own_mm[(node.corner + AHEAD).min(own_mm.len() - 1)];
@@ -249,20 +252,26 @@ impl Paths<'_> {
                 }
             }
             if visibility.reaches(to.at, to.passed) {
-                note(there, self.took_s(node, *next));
+                let sooner_s = labels[there].time_s - labels[here].time_s;
+                let took_s = self.took_s(node, *next, sooner_s);
+                Label::reach(labels, here, there, took_s);
             }
         }
     }
 
     /// Returns the duration of the vector from one path to another, including the cost of the
-    /// switch.
-    fn took_s(&self, from: Node, to: Node) -> f64 {
+    /// switch; only a part of it if that is far more than `sooner_s` already.
+    fn took_s(&self, from: Node, to: Node, sooner_s: f64) -> f64 {
         let [own, other] = [from, to].map(|node| &self.all[node.path]);
         let (begin_s, end_s) = (own.times_s[from.corner], other.times_s[to.corner]);
         let beside_s = other.time_s(from.gone_mm);
         // Both paths cover this part of the stroke; use the mean of their durations.
         let took_s = 0.5 * (end_s - beside_s + own.time_s(to.gone_mm) - begin_s);
         let took_s = took_s.max(self.estimator.link.period_s);
+        // What follows only adds to it. The margin is for rounding.
+        if took_s + self.change_s > sooner_s + ROUNDING_S {
+            return took_s + self.change_s;
+        }
         let a = self.estimator.cornering.acceleration_mm_s2;
         let (has, wanted) = (own.speed_mm_s(begin_s), other.speed_mm_s(beside_s));
         // Changing from the speed of one path to that of the other takes time too.
@@ -287,6 +296,8 @@ impl Paths<'_> {
     }
 }
 
+/// More than the rounding of a time.
+const ROUNDING_S: f64 = 1e-9;
 /// The limit on the number of own corners that a vector to another path passes.
 const AHEAD: usize = 2;
 /// The time to both sides over which a speed is measured, in s.

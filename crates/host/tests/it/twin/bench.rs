@@ -12,6 +12,7 @@ use dobot_plan::{ArmLimits, DrawingTool, Laser, Paper, Pass, Pen, Plan};
 use dobot_safety::Policy;
 use dobot_session::position;
 use dobot_sim::RECORDING_PERIOD;
+use dobot_wire::Status;
 
 pub(crate) struct Bench {
     station: StationClient,
@@ -83,6 +84,17 @@ impl Bench {
             Reply::Job { job } => job.job,
             other => panic!("{other:?}"),
         }
+    }
+
+    /// Returns the status of the arm.
+    pub(crate) async fn status(&mut self) -> Status {
+        self.station.state().await.unwrap().arm.unwrap().status
+    }
+
+    /// Returns the planned duration of the last job, in s.
+    pub(crate) async fn planned_s(&mut self) -> f64 {
+        let jobs = self.station.jobs().await.unwrap();
+        jobs.last().unwrap().planned_s.unwrap()
     }
 
     async fn took(&mut self, job: u64) -> Duration {

@@ -22,7 +22,12 @@ fn page(ink: impl Fn(Point) -> f64) -> Tone {
 }
 
 fn drawn(tone: &Tone) -> Vec<Stroke> {
-    flowing(tone, &Shading::new(ShadingStyle::Flow), SPACING_MM)
+    flowing(
+        tone,
+        &Shading::new(ShadingStyle::Flow),
+        SPACING_MM,
+        &CancelToken::default(),
+    )
 }
 
 /// Black in the middle of the page, white at its edges.
