@@ -63,7 +63,7 @@ pub use background::Background;
 pub use client::{JobWatch, JobsError, JogEnd, LocalArm, NoArm, OpenArmError, StationClient};
 pub use connect::OwnVirtualArm;
 pub use drawing_job::drawing_job;
-pub use dry_run::{DryRun, dry_run, personality_of};
+pub use dry_run::{DryRun, dry_run, dry_run_program, personality_of};
 pub use finder::{
     Finder, FinderNews, Found, KnownPort, NothingFound, ProbeFailure, Reconnect, Search,
 };

@@ -40,10 +40,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod asking;
 mod axes;
 mod check;
 mod compile;
 mod compiled;
+mod decision;
 mod document;
 mod error;
 mod files;
@@ -61,8 +63,13 @@ mod step_table;
 mod taught_grid;
 pub mod vendor;
 
+pub use asking::{EXAMPLE_PLACE, continued};
 pub use check::{Problem, Report, check};
 pub use compiled::{Compiled, CompiledStep, barrier_reason};
+pub use decision::{
+    AfterTimeout, AnswerWait, Choose, ChosenBy, Comparison, Condition, ExternalPlace, Missed,
+    Operand, Transfer, Variables, When,
+};
 pub use document::ProgramDocument;
 pub use error::ProgramError;
 pub use files::{Files, NoFiles};

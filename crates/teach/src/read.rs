@@ -152,6 +152,28 @@ impl Program {
                     let cells: Vec<&str> = cells.iter().copied().chain(names).collect();
                     self.check_nested(steps, &cells, depth + 1, mistakes);
                 }
+                Action::While(condition, steps) => {
+                    for name in condition.names() {
+                        check(check_name("variable", name, &self.variables));
+                    }
+                    self.check_nested(steps, cells, depth + 1, mistakes);
+                }
+                Action::Set(variables) | Action::Add(variables) => {
+                    for name in variables.keys() {
+                        check(check_name("variable", name, &self.variables));
+                    }
+                }
+                Action::Choose(choose) => {
+                    for when in &choose.when {
+                        self.check_nested(&when.steps, cells, depth + 1, mistakes);
+                    }
+                }
+                Action::Pick(transfer) | Action::Place(transfer) => {
+                    check(self.check_place(&transfer.at, cells));
+                    if let Some(missed) = &transfer.missed {
+                        self.check_nested(&missed.steps, cells, depth + 1, mistakes);
+                    }
+                }
                 _ => {}
             }
         }
@@ -182,7 +204,7 @@ impl Program {
             Place::At(Point::Cartesian {
                 frame: Some(frame), ..
             }) => check_name("frame", frame, &self.frames),
-            Place::At(_) => Ok(()),
+            Place::At(_) | Place::External(_) => Ok(()),
         }
     }
 }
@@ -290,13 +312,14 @@ fn deep_line(text: &str) -> Option<usize> {
 }
 
 /// The keys of a program.
-const KEYS: [&str; 7] = [
+const KEYS: [&str; 8] = [
     "title",
     "start_speed_percent",
     "tools",
     "points",
     "frames",
     "grids",
+    "variables",
     "steps",
 ];
 /// 64 MiB: a program of 1,000,000 steps.
