@@ -94,9 +94,12 @@ pub enum Answer {
 }
 
 /// A position given to a program: that of the tool's tip in the base frame.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GivenPlace {
+    /// The name under which the program asks for it; if given, it has to be that name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
     /// The distance forward of the base axis, in mm.
     pub x_mm: f64,
     /// The distance to the left of the base axis, in mm.
@@ -125,7 +128,12 @@ impl PendingQuestion {
                     answers.join(", ")
                 ))
             }
-            (Question::Place { .. }, Answer::Place(place)) => place.check(),
+            (Question::Place { name }, Answer::Place(place)) => match &place.name {
+                Some(given) if given != name => Err(format!(
+                    "the position is {given:?}; the program asks for {name:?}"
+                )),
+                _ => place.check(),
+            },
             (Question::NextCycle, Answer::NextCycle) => Ok(()),
             (_, Answer::Skip) if self.otherwise == Some(Answer::Skip) => Ok(()),
             (question, _) => Err(format!("the program asks {question}")),

@@ -12,9 +12,35 @@ use crate::program::Drawing;
 use crate::{Action, Compiled, Files, Program, ProgramError, Steps, Times};
 
 impl Program {
+    /// Compiles the program with another number of cycles, unless it is `None`. Returns the program
+    /// with that number, too.
+    ///
+    /// # Errors
+    ///
+    /// [`ProgramError`] as [`compile_for`](Self::compile_for) returns it.
+    pub fn compile_times(
+        &self,
+        times: Option<Times>,
+        arm: &Calibration,
+        files: &mut dyn Files,
+    ) -> Result<(Self, Compiled), ProgramError> {
+        let mut compiled = self.compile_for(arm, files)?;
+        match times {
+            Some(times) if compiled.asks => {
+                let program = self.clone().with_times(times);
+                let compiled = program.compile_for(arm, files)?;
+                Ok((program, compiled))
+            }
+            Some(times) => {
+                compiled.repeat(times);
+                Ok((self.clone(), compiled))
+            }
+            None => Ok((self.clone(), compiled)),
+        }
+    }
+
     /// Returns the program with another number of cycles: of its final repeat, or of all its steps.
-    #[must_use]
-    pub fn with_times(mut self, times: Times) -> Self {
+    fn with_times(mut self, times: Times) -> Self {
         let steps = std::mem::take(&mut self.steps).0;
         let mut actions: Vec<Action> = steps.into_iter().map(toml::Spanned::into_inner).collect();
         match actions.last_mut() {
@@ -25,20 +51,22 @@ impl Program {
         self
     }
 
-    /// Returns the job of a compiled program that starts at a step, counted from 0. If it asks, the
-    /// job has what is needed to continue it.
+    /// Returns the job of the compiled program that starts at a step, counted from 0; `None` if
+    /// there is no such step, before the first question. If it asks, the job has what is needed to
+    /// continue it.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] if there is no such step before the first question, or a file cannot be
-    /// read.
+    /// [`ProgramError`] if a file cannot be read.
     pub fn job(
         &self,
         compiled: &Compiled,
         from_step: usize,
         files: &mut dyn Files,
-    ) -> Result<NewJob, ProgramError> {
-        let rest = rest(compiled, from_step)?;
+    ) -> Result<Option<NewJob>, ProgramError> {
+        let Some(rest) = compiled.from_step(from_step) else {
+            return Ok(None);
+        };
         let mut job = rest.job();
         if compiled.asks {
             let asking = AskingProgram {
@@ -48,7 +76,7 @@ impl Program {
             };
             job.program.asking = Some(Box::new(asking));
         }
-        Ok(job)
+        Ok(Some(job))
     }
 
     /// Returns the program with all its files.
@@ -149,7 +177,9 @@ pub fn continued(
         drawings: std::mem::take(&mut asking.drawings),
     };
     let compiled = program.compile_answered(arm, &mut files, &asking.answers)?;
-    let mut job = rest(&compiled, asking.from_step)?.job();
+    let rest = compiled.from_step(asking.from_step);
+    let rest = rest.ok_or_else(|| ProgramError::new("the program is shorter than its job"))?;
+    let mut job = rest.job();
     job.program.asking = Some(Box::new(AskingProgram {
         files: files.texts,
         drawings: files.drawings,
@@ -157,22 +187,6 @@ pub fn continued(
         ..asking
     }));
     Ok(job)
-}
-
-fn rest(compiled: &Compiled, from_step: usize) -> Result<Compiled, ProgramError> {
-    let rest = compiled.from_step(from_step);
-    rest.ok_or_else(|| {
-        ProgramError::new(format!(
-            "there is no step {}; allowed are 1 to {}{}",
-            from_step + 1,
-            compiled.steps.len(),
-            if compiled.asks {
-                ", the steps before the first question"
-            } else {
-                ""
-            }
-        ))
-    })
 }
 
 /// The files of a program, kept for its continuation.
@@ -248,6 +262,7 @@ fn prepare(
 
 /// The position that stands for one that is given while the program runs, when it is checked.
 pub const EXAMPLE_PLACE: GivenPlace = GivenPlace {
+    name: None,
     x_mm: 200.0,
     y_mm: 0.0,
     z_mm: 0.0,

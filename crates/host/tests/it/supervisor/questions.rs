@@ -45,7 +45,8 @@ go = { x = 240, y = 0, z = 40 }
 fn submitted(station: &mut VirtualStation, text: &str) -> u64 {
     let program = Program::from_toml(text).unwrap();
     let compiled = program.compile(&mut NoFiles).unwrap();
-    let mut job = program.job(&compiled, 0, &mut NoFiles).unwrap();
+    let job = program.job(&compiled, 0, &mut NoFiles).unwrap();
+    let mut job = job.expect("there is a first step");
     job.title = "a program".into();
     station.submit(&job).unwrap()
 }
@@ -96,6 +97,7 @@ fn choice(text: &str) -> Answer {
 fn place(x_mm: f64, y_mm: f64, z_mm: f64) -> Answer {
     let rotation_deg = 0.0;
     Answer::Place(GivenPlace {
+        name: None,
         x_mm,
         y_mm,
         z_mm,
