@@ -102,9 +102,8 @@ fn asking(answers: &[&str]) -> JobProgram {
         steps: vec![0, 2],
         asking: Some(Box::new(AskingProgram {
             text: "[[steps]]".into(),
-            files: std::collections::BTreeMap::new(),
             answers: answers.collect(),
-            question: None,
+            ..AskingProgram::default()
         })),
         ..JobProgram::default()
     }

@@ -326,5 +326,5 @@ const NEXT_CYCLE: PendingQuestion = PendingQuestion {
     timeout_s: None,
     otherwise: None,
 };
-/// A loop whose steps send nothing.
-const MAX_PASSES: u32 = 1_000_000;
+/// The largest number of passes of a loop between two questions.
+const MAX_PASSES: u32 = 100_000;
