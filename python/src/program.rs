@@ -198,6 +198,8 @@ pub(crate) struct Run {
     pub(crate) times: Option<Times>,
     /// The first step to execute, counted from 1.
     pub(crate) from_step: usize,
+    /// Whether the caller answers its questions.
+    pub(crate) asks: bool,
 }
 
 impl Run {

@@ -179,7 +179,8 @@ async fn follow(
     let mut questions = Questions::of(job);
     loop {
         let event = tokio::select! {
-            event = station.next() => event?,
+            // Virtual time stands still while a person answers.
+            event = station.next(), if !(is_virtual && questions.waits_for_line()) => event?,
             () = &mut interrupt, if !interrupted => {
                 interrupted = true;
                 pause(station).await?;
@@ -195,6 +196,9 @@ async fn follow(
                 if let Some(view) = state.job.as_ref().filter(|view| view.job == job) {
                     show(bar, view, is_virtual);
                     questions.handle(view.question.as_ref(), bar);
+                    if is_virtual && let Some(failure) = questions.unanswerable() {
+                        return Err(failure);
+                    }
                 }
                 see(&state);
             }

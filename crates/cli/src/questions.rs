@@ -2,6 +2,8 @@
 
 use std::io::IsTerminal;
 
+use crate::failure::Failure;
+use anyhow::anyhow;
 use dobot_api::{Answer, GivenPlace, PendingQuestion, Question, Request};
 use dobot_host::StationClient;
 use indicatif::ProgressBar;
@@ -38,6 +40,23 @@ impl Questions {
         bar.suspend(|| eprintln!("{text}"));
     }
 
+    /// Returns whether a person is asked.
+    pub(crate) const fn waits_for_line(&self) -> bool {
+        self.is_terminal && self.asked.is_some()
+    }
+
+    /// Returns the failure if nobody can answer, because the arm is in this process.
+    pub(crate) fn unanswerable(&self) -> Option<Failure> {
+        let pending = self.asked.as_ref().filter(|_| !self.is_terminal)?;
+        if pending.timeout_s.is_some() {
+            return None;
+        }
+        Some(Failure::new(
+            anyhow!("the program asks: {}", pending.question),
+            "run it in a terminal, or on a station (`dobot up`), where others can answer",
+        ))
+    }
+
     /// The text that asks the person, or says how to answer from elsewhere.
     fn text(&self, question: &Question) -> String {
         let job = self.job;
@@ -54,7 +73,7 @@ impl Questions {
 
     /// Waits for a line of the person; forever if there is no question or no terminal.
     pub(crate) async fn line(&mut self) -> Option<String> {
-        if !self.is_terminal || self.asked.is_none() {
+        if !self.waits_for_line() {
             return std::future::pending().await;
         }
         let lines = self

@@ -59,6 +59,7 @@ mod program_form;
 mod read;
 mod recorded_path;
 mod round;
+mod similar;
 mod step_table;
 mod taught_grid;
 pub mod vendor;
@@ -80,4 +81,5 @@ pub use program::{
 };
 pub use program_form::ProgramForm;
 pub use recorded_path::{RecordedPlace, ToolState, path_steps, simplified};
+pub use similar::nearest;
 pub use taught_grid::TaughtGrid;

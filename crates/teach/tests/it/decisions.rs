@@ -291,3 +291,28 @@ fn mistakes_in_decisions_name_the_line_and_what_is_allowed() {
         "{first}"
     );
 }
+
+#[test]
+fn common_mistakes_are_shown_with_the_correct_line() {
+    for (text, expected) in [
+        (
+            "[[steps]]\ngo = { x = 200,5, y = -0,25, z = 30 }\npause = 0,5\n",
+            "line 2: the number 200,5 has a decimal comma; write 200.5, with a point | line 3: the number 0,5 has a decimal comma; write 0.5, with a point",
+        ),
+        (
+            "[[steps]]\nspeed = 50\n[[steps]]\nrepeat = 2\n[[steps.steps]]\ndrawing = \"a.svg\"\n",
+            "line 2: speed needs a table; write speed = { percent = 50 } | line 6: drawing needs a table; write drawing = { file = \"a.svg\", pen_down = HEIGHT }, with the height of the wrist in mm",
+        ),
+        (
+            "[[steps]]\ngo = { x = 200, y = 0, z = 30 }\npth = \"movl\"\n[[steps]]\nchoos = \"x\"\n",
+            "line 3: the key `pth` is unknown; did you mean `path`? | line 5: the key `choos` is unknown; did you mean `choose`?",
+        ),
+        (
+            "[points]\nhome = { x = 200, y = 0, z = 30 }\n[[steps]]\ngo = \"hoem\"\n[[steps]]\ngo = \"home\"\n",
+            "line 4: there is no point \"hoem\"; did you mean \"home\"?",
+        ),
+    ] {
+        let found = error(text);
+        assert!(found.starts_with(expected), "{found}");
+    }
+}
