@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use dobot_plan::{DrawingTool, Laser, Pen};
+use dobot_teach::nearest;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
