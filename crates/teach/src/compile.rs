@@ -198,6 +198,12 @@ impl Compiler<'_> {
                 "the program waits {found} times for a person; allowed are {MAX_PAUSES}"
             )));
         }
+        if self.decisions.question.is_some() && self.has_laser_on() {
+            return Err(bad(
+                "the laser is on while the program asks; add a step with laser = false before it"
+                    .into(),
+            ));
+        }
         if self.decisions.unused() > 0 {
             return Err(bad(
                 "the program has fewer questions than answers were given".into(),

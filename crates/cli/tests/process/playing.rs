@@ -181,8 +181,11 @@ answer = "no"
     let place = json!({"x_mm": 200, "y_mm": -40, "z_mm": 20});
     api.asks("PUT", &format!("jobs/{job}/places/cube"), &place);
     asks("Which side?");
-    up.dobot(&["jobs"])
-        .prints("asks: Which side? (left, right)");
+    let listed = up.dobot(&["jobs"]).succeeds().stdout;
+    assert!(
+        listed.contains("asks: Which side? (left, right)"),
+        "{listed}"
+    );
     up.dobot(&["jobs", "answer", &job, "LEFT"]).succeeds();
     let state = asks("Is it good?");
     let y_mm = number(&state["arm"]["y_mm"]);

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use dobot_api::{Answer, PendingQuestion, Question};
 use dobot_arm::Tool;
-use dobot_wire::MovingMode;
+use dobot_wire::{Command, JointJogAxis, MovingMode};
 use toml::Spanned;
 
 use super::resolve::Spot;
@@ -87,6 +87,17 @@ impl Compiler<'_> {
         let called = self.called.by_path().map(|(_, program)| &program.steps);
         let mut all = called.chain([&scope.program.steps]);
         all.any(decides)
+    }
+
+    /// Returns whether the last command for the laser switches it on.
+    pub(super) fn has_laser_on(&self) -> bool {
+        let switch = |command: &Command| match command {
+            Command::JointJog(jog) if jog.axis == JointJogAxis::LaserOn => Some(true),
+            Command::JointJog(jog) if jog.axis == JointJogAxis::LaserOff => Some(false),
+            _ => None,
+        };
+        let mut commands = self.out.commands.iter().rev();
+        commands.find_map(switch).unwrap_or(false)
     }
 
     /// Repeats steps whose commands differ from cycle to cycle: an endless repeat without a

@@ -283,6 +283,13 @@ fn mistakes_in_decisions_name_the_line_and_what_is_allowed() {
         assert!(found.contains(expected), "{step}: {found}");
         assert!(found.starts_with("line "), "{step}: {found}");
     }
+    let laser = error(&format!(
+        "{GO}[[steps]]\nlaser = true\n[[steps]]\ngo = {{ from = \"mark\" }}\n"
+    ));
+    assert!(
+        laser.contains("the laser is on while the program asks"),
+        "{laser}"
+    );
     let first = error(
         "[[steps]]\nchoose = \"which\"\n[[steps.when]]\nanswer = \"a\"\n[[steps.when]]\nanswer = \"b\"\n",
     );
@@ -309,7 +316,7 @@ fn common_mistakes_are_shown_with_the_correct_line() {
         ),
         (
             "[points]\nhome = { x = 200, y = 0, z = 30 }\n[[steps]]\ngo = \"hoem\"\n[[steps]]\ngo = \"home\"\n",
-            "line 4: there is no point \"hoem\"; did you mean \"home\"?",
+            "line 3: there is no point \"hoem\"; did you mean \"home\"?",
         ),
     ] {
         let found = error(text);
