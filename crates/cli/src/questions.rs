@@ -48,7 +48,7 @@ impl Questions {
     /// Returns the failure if nobody can answer, because the arm is in this process.
     pub(crate) fn unanswerable(&self) -> Option<Failure> {
         let pending = self.asked.as_ref().filter(|_| !self.is_terminal)?;
-        if pending.timeout_s.is_some() {
+        if pending.otherwise.is_some() {
             return None;
         }
         Some(Failure::new(

@@ -160,7 +160,7 @@ impl Session {
             return Ok(());
         };
         if !self.asks {
-            if self.client.virtual_arm().is_some() && pending.timeout_s.is_none() {
+            if self.client.virtual_arm().is_some() && pending.otherwise.is_none() {
                 return Err(failed(format!(
                     "the program asks: {}; give `run` a function `ask` that answers",
                     pending.question
