@@ -12,7 +12,9 @@ from .arm import Arm, Jog, connect
 from .drawing import Plan, Progress, bar, formats, plan
 from .errors import Closed, Error, Failed, Kind, LinkLost, Paused, Refused, Stopped, kinds
 from .operations import Button, Path, Tool
-from .programs import Point, Program, ProgramProblem, ProgramReport, ProgramStep, Step, program, program_bar
+from .programs import (
+    Ask, Point, Program, ProgramProblem, ProgramReport, ProgramStep, Question, Step, program, program_bar,
+)
 from .status import Status
 from .world import Object, World
 
@@ -26,9 +28,9 @@ if TYPE_CHECKING:
     from .testing import assert_ink, assert_object
 
 __all__ = [
-    "Arm", "AsyncArm", "AsyncJog", "Button", "Calibration", "Closed", "Error", "Failed", "Jog", "Kind",
+    "Arm", "Ask", "AsyncArm", "AsyncJog", "Button", "Calibration", "Closed", "Error", "Failed", "Jog", "Kind",
     "LinkLost", "Object", "Path", "Paused", "Plan", "Point", "Program", "ProgramProblem", "ProgramReport",
-    "ProgramStep", "Progress", "Recording", "Refused", "SHEET", "Served", "Simulation", "Status", "Step",
+    "ProgramStep", "Progress", "Question", "Recording", "Refused", "SHEET", "Served", "Simulation", "Status", "Step",
     "Stopped", "Table", "Tool", "Touch", "World", "aconnect", "assert_ink", "assert_object", "bar", "calibrate",
     "connect", "formats", "kinds", "log", "plan", "program", "program_bar", "serve", "simulate",
 ]

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
 
 from ._core import Core, Pending, joints_warning, point_warning
 from .drawing import Plan, Progress, bar
-from .programs import Program, ProgramProgress, ProgramReport, program_bar
+from .programs import Ask, Program, ProgramProgress, ProgramReport, Question, program_bar
 from .status import Status
 from .world import World
 
@@ -283,6 +283,7 @@ def run(
     times: int | Literal["forever"] | None = None,
     from_step: int = 1,
     progress: ProgramProgress | None = program_bar,
+    ask: Ask | None = None,
 ) -> Operation[None]:
     """Runs a program as a job, and waits until it is done.
 
@@ -290,6 +291,9 @@ def run(
     ``arm.stop()``, or when somebody ends the job. ``from_step`` is the first step to execute, counted from 1 as
     in :attr:`ProgramReport.steps`. ``progress`` is called with the step, the number of steps, the cycle, and
     the number of cycles (None for endless programs), counted from 1; an exception in it stops the arm.
+    ``ask`` answers the questions of the program: it is called with a :class:`Question`, and returns one of its
+    answers, or the position that it asks for: x, y, z (mm) and optionally the rotation (degrees). Without it,
+    the questions are answered elsewhere, for example on the station's page.
 
     Raises :class:`Refused` (kind ``bad-program``) with all problems before anything moves, :class:`Paused` if a
     step waits for a person, :class:`Failed` if the job is cancelled or fails.
@@ -300,7 +304,23 @@ def run(
         count = times
     else:
         raise ValueError(f'times is {times!r}; allowed are 1 or more, and "forever"')
-    return Operation(arm._core.run(program._taught, count, from_step), _nothing, progress)
+    pending = arm._core.run(program._taught, count, from_step, ask is not None)
+
+    def report(*part: Any) -> None:
+        if len(part) > 1:
+            if progress is not None:
+                progress(*part)
+        elif ask is not None:
+            pending.answer(*_answer(ask(Question._of(part[0]))))
+
+    return Operation(pending, _nothing, report)
+
+
+def _answer(given: str | Sequence[float]) -> tuple[str | None, tuple[float, float, float, float] | None]:
+    if isinstance(given, str):
+        return given, None
+    x, y, z, *rest = given
+    return None, (x, y, z, rest[0] if rest else 0.0)
 
 
 def check(arm: Connection, program: Program) -> Operation[ProgramReport]:

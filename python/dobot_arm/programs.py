@@ -15,9 +15,40 @@ ProgramProgress = Callable[[int, int, int, int | None], object]
 """Called with the step, the number of steps, the cycle, and the number of cycles."""
 
 
-class Point(TypedDict, total=False):
+@dataclass(frozen=True)
+class Question:
+    """A question of a running program."""
+
+    text: str
+    """The question."""
+    answers: tuple[str, ...]
+    """The possible answers; empty if it asks for a position."""
+    place: str | None
+    """The name of the position that it asks for; None if it asks for one of the answers."""
+    by: Literal["person", "seen"]
+    """Who may answer: only a person, or also a camera or another program."""
+
+    @classmethod
+    def _of(cls, text: str) -> Question:
+        asked = json.loads(text)
+        if asked["asks"] == "place":
+            name = asked["name"]
+            return cls(text=f"Where is {name}?", answers=(), place=name, by="seen")
+        return cls(text=asked["text"], answers=tuple(asked["answers"]), place=None, by=asked["by"])
+
+
+Ask = Callable[[Question], str | Sequence[float]]
+"""Called with a question; returns one of its answers, or x, y, z (mm) and optionally the rotation (degrees)."""
+
+
+_From = TypedDict("_From", {"from": str}, total=False)
+_While = TypedDict("_While", {"while": str}, total=False)
+
+
+class Point(_From, total=False):
     """``x``, ``y`` and ``z`` (mm), optionally with ``rotation`` (degrees) and ``frame``; or ``base``, ``rear``,
-    ``fore`` and ``servo`` (degrees).
+    ``fore`` and ``servo`` (degrees). In ``go``, ``pick`` and ``place`` also ``from``, the name of a position that
+    is given while the program runs, with ``timeout`` (seconds) and ``otherwise``.
     """
 
     x: float
@@ -29,9 +60,11 @@ class Point(TypedDict, total=False):
     rear: float
     fore: float
     servo: float
+    timeout: float
+    otherwise: Literal["pause", "skip"]
 
 
-class Step(TypedDict, total=False):
+class Step(_While, total=False):
     """A step, with the keys of a program's text: one key is the action, others are its parameters."""
 
     go: str | Point
@@ -52,6 +85,20 @@ class Step(TypedDict, total=False):
     arc: Mapping[str, object]
     circle: Mapping[str, object]
     drawing: Mapping[str, object]
+    choose: str
+    by: Literal["person", "seen"]
+    every: int
+    timeout: float
+    otherwise: str
+    when: Sequence[Mapping[str, object]]
+    set: Mapping[str, int]
+    add: Mapping[str, int]
+    pick: str | Point
+    place: str | Point
+    approach: float
+    retreat: float
+    settle: float
+    on_missed: Mapping[str, object]
 
 
 @dataclass(frozen=True)
@@ -106,6 +153,8 @@ class ProgramReport:
     """The duration of each further cycle, in seconds; None if nothing is repeated or there are problems."""
     total_s: float | None
     """The total duration, in seconds; None for endless programs or if there are problems."""
+    depends_on_answers: bool
+    """Whether the program asks: then steps and durations are those with the first answer to each question."""
 
     @classmethod
     def _of(cls, text: str) -> ProgramReport:

@@ -229,8 +229,15 @@ impl Core {
         self.begin(Operation::Draw(Box::new(request)))
     }
 
-    /// Runs a program; `times` is the number of repetitions, 0 for endless.
-    fn run(&self, program: &Bound<'_, Taught>, times: Option<u64>, from_step: usize) -> Pending {
+    /// Runs a program; `times` is the number of repetitions, 0 for endless. With `asks`, the caller
+    /// answers its questions.
+    fn run(
+        &self,
+        program: &Bound<'_, Taught>,
+        times: Option<u64>,
+        from_step: usize,
+        asks: bool,
+    ) -> Pending {
         self.begin(Operation::Run(Box::new(Run {
             source: Arc::clone(&program.get().source),
             times: times.map(|time| match time {
@@ -238,6 +245,7 @@ impl Core {
                 count => Times::Count(count),
             }),
             from_step,
+            asks,
         })))
     }
 

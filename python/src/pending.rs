@@ -4,6 +4,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use dobot_api::{Answer, GivenPlace};
 use dobot_wire::Status;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString, PyTuple};
@@ -41,6 +42,10 @@ impl Pending {
                         .map(drop),
                     None => Ok(()),
                 },
+                Received::Message(Report::Question(text)) => match progress {
+                    Some(callback) => callback.call1((text,)).map(drop),
+                    None => Ok(()),
+                },
                 Received::Closed => return Err(exception(py, &Failure::Closed)),
                 Received::Nothing => Ok(()),
             };
@@ -60,9 +65,28 @@ impl Pending {
             Received::Message(Report::Over(Ok(outcome))) => Ok((None, Some(read(py, outcome)?))),
             Received::Message(Report::Over(Err(failure))) => Err(exception(py, &failure)),
             Received::Message(Report::Progress(part)) => Ok((Some(counts(py, part)?), None)),
+            Received::Message(Report::Question(text)) => {
+                Ok((Some((text,).into_pyobject(py)?), None))
+            }
             Received::Closed => Err(exception(py, &Failure::Closed)),
             Received::Nothing => Ok((None, None)),
         }
+    }
+
+    /// Answers the question of a program: one of its answers, or a position in mm and degrees.
+    fn answer(&self, choice: Option<String>, place: Option<[f64; 4]>) {
+        let answer = match (choice, place) {
+            (Some(choice), _) => Answer::Choice(choice),
+            (None, Some([x_mm, y_mm, z_mm, rotation_deg])) => Answer::Place(GivenPlace {
+                name: None,
+                x_mm,
+                y_mm,
+                z_mm,
+                rotation_deg,
+            }),
+            (None, None) => Answer::Skip,
+        };
+        self.worker.answer(answer);
     }
 
     /// Calls this once, in another thread, when there is something to poll.

@@ -7,9 +7,9 @@ use std::sync::Arc;
 use dobot_api::problem_kinds::{BAD_PROGRAM, OUT_OF_RANGE};
 use dobot_api::{NewJob, Problem};
 use dobot_draw::ProgramFiles;
-use dobot_host::{PlannedFor, Rules, dry_run};
+use dobot_host::{PlannedFor, ProgramJobError, Rules, dry_run_program, program_job};
 use dobot_safety::Policy;
-use dobot_teach::{Compiled, Files, Program, ProgramError, ProgramForm, Times, check};
+use dobot_teach::{Files, Program, ProgramError, ProgramForm, Times};
 use dobot_wire::Dialect;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -164,17 +164,17 @@ impl Source {
         ProgramFiles::new(read, arm.dialect(), arm.calibration.clone())
     }
 
-    /// Returns its commands for an arm.
-    fn compile(&self, arm: &PlannedFor) -> Result<Compiled, ProgramError> {
-        let mut compiled = self.program.compile_for(&arm.arm(), &mut self.files(arm))?;
-        self.title().clone_into(&mut compiled.title);
-        Ok(compiled)
+    /// Returns the program with a title.
+    fn titled(&self) -> Program {
+        let mut program = self.program.clone();
+        self.title().clone_into(&mut program.title);
+        program
     }
 
     /// Returns the problems and durations for an arm, as a JSON object.
     pub(crate) fn report(&self, arm: &PlannedFor) -> Result<String, ProgramError> {
-        let compiled = self.compile(arm)?;
-        let report = dry_run(&compiled, arm);
+        let program = self.titled();
+        let (compiled, report) = dry_run_program(&program, arm, &mut self.files(arm))?;
         let steps = compiled.steps.iter().zip(&report.steps_s);
         let steps: Vec<Value> = steps
             .map(|(step, takes_s)| json!({"label": *step.label, "file": step.file.as_deref(), "line": step.line, "takes_s": takes_s}))
@@ -185,6 +185,7 @@ impl Source {
             "once_s": report.first_s,
             "cycle_s": report.cycle_s,
             "total_s": report.total_s,
+            "depends_on_answers": report.depends_on_answers,
         })
         .to_string())
     }
@@ -197,29 +198,19 @@ pub(crate) struct Run {
     pub(crate) times: Option<Times>,
     /// The first step to execute, counted from 1.
     pub(crate) from_step: usize,
+    /// Whether the caller answers its questions.
+    pub(crate) asks: bool,
 }
 
 impl Run {
     /// Returns the job for an arm, if the program has no problems.
     pub(crate) fn job(&self, arm: &PlannedFor) -> Result<NewJob, Problem> {
-        let compiled = self.source.compile(arm);
-        let mut compiled = compiled.map_err(|error| BAD_PROGRAM.problem(error.to_string()))?;
-        let problems = check(&compiled, &arm.rules.policy, arm.model()).problems;
-        if !problems.is_empty() {
-            let problems: Vec<String> = problems.iter().map(ToString::to_string).collect();
-            return Err(BAD_PROGRAM.problem(problems.join("\n")));
-        }
-        if let Some(times) = self.times {
-            compiled.repeat(times);
-        }
-        let (steps, from) = (compiled.steps.len(), self.from_step);
-        let rest = from
-            .checked_sub(1)
-            .and_then(|step| compiled.from_step(step));
-        let rest = rest.ok_or_else(|| {
-            OUT_OF_RANGE.problem(format!("from_step is {from}; allowed are 1 to {steps}"))
-        })?;
-        Ok(rest.job())
+        let (program, mut files) = (self.source.titled(), self.source.files(arm));
+        let job = program_job(&program, self.times, self.from_step, arm, &mut files);
+        job.map_err(|error| match error {
+            ProgramJobError::NoStep { .. } => OUT_OF_RANGE.problem(error.to_string()),
+            error => BAD_PROGRAM.problem(error.to_string()),
+        })
     }
 }
 

@@ -5,7 +5,7 @@ mod job;
 use std::time::Duration;
 
 use dobot_api::problem_kinds::BAD_PROGRAM;
-use dobot_api::{Jog, RemoteError, Reply, Request, State, StationEvent};
+use dobot_api::{Answer as JobAnswer, Jog, RemoteError, Reply, Request, State, StationEvent};
 use dobot_controller::PowerUp;
 use dobot_host::StationClient;
 use dobot_wire::{Command, Status};
@@ -37,6 +37,10 @@ pub(crate) struct Session {
     subscribers: Subscribers,
     held: Option<Held>,
     rests: Option<Rests>,
+    /// The answers to questions of programs.
+    answers: UnboundedReceiver<JobAnswer>,
+    /// Whether questions of the current program are answered here.
+    asks: bool,
 }
 
 impl Session {
@@ -44,6 +48,7 @@ impl Session {
         client: StationClient,
         power_up: Option<PowerUp>,
         subscribers: Subscribers,
+        answers: UnboundedReceiver<JobAnswer>,
     ) -> Self {
         Self {
             client,
@@ -51,6 +56,8 @@ impl Session {
             subscribers,
             held: None,
             rests: None,
+            answers,
+            asks: false,
         }
     }
 

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use dobot_api::{Jog, Request, StationSearch};
+use dobot_api::{Answer as JobAnswer, Jog, Request, StationSearch};
 use dobot_controller::PowerUp;
 use dobot_draw::DrawingRequest;
 use dobot_host::{LocalArm, StationClient};
@@ -82,6 +82,8 @@ pub(crate) enum Outcome {
 /// A message about an operation.
 pub(crate) enum Report {
     Progress(Progress),
+    /// The question of a running program, as JSON.
+    Question(String),
     Over(Answer),
 }
 
@@ -114,6 +116,7 @@ pub(crate) struct Stop {
 struct Channels {
     jobs: UnboundedSender<Job>,
     stops: UnboundedSender<Stop>,
+    answers: UnboundedSender<JobAnswer>,
 }
 
 /// The subscribers of all statuses.
@@ -132,11 +135,16 @@ impl Worker {
     pub(crate) fn start(at: Where, name: String) -> Self {
         let (jobs, wanted) = unbounded_channel();
         let (stops, stopped) = unbounded_channel();
+        let (answers, answered) = unbounded_channel();
         let subscribers = Subscribers::default();
         let shared = Arc::clone(&subscribers);
-        let thread = thread::spawn(move || run(at, &name, &shared, wanted, stopped));
+        let thread = thread::spawn(move || run(at, &name, &shared, wanted, stopped, answered));
         Self {
-            channels: Mutex::new(Some(Channels { jobs, stops })),
+            channels: Mutex::new(Some(Channels {
+                jobs,
+                stops,
+                answers,
+            })),
             thread: Mutex::new(Some(thread)),
             subscribers,
             pid: process::id(),
@@ -163,6 +171,13 @@ impl Worker {
             let _ = channels.stops.send(Stop { reason, answer });
         }
         reports
+    }
+
+    /// Answers the question of the running program.
+    pub(crate) fn answer(&self, answer: JobAnswer) {
+        if let Some(channels) = &*lock(&self.channels) {
+            let _ = channels.answers.send(answer);
+        }
     }
 
     /// Subscribes to all statuses from now on.
@@ -196,6 +211,7 @@ fn run(
     subscribers: &Subscribers,
     mut jobs: UnboundedReceiver<Job>,
     stops: UnboundedReceiver<Stop>,
+    answers: UnboundedReceiver<JobAnswer>,
 ) {
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_all()
@@ -208,7 +224,7 @@ fn run(
                 Where::Station(_) | Where::Local(_) => None,
             };
             let client = connect(at, name).await?;
-            let session = Session::new(client, power_up, Arc::clone(subscribers));
+            let session = Session::new(client, power_up, Arc::clone(subscribers), answers);
             session.serve(&mut jobs, stops).await;
             Ok(())
         }),

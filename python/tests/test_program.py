@@ -196,6 +196,63 @@ def test_coroutines_run_programs_too() -> None:
     asyncio.run(main())
 
 
+SORT = """
+[[steps]]
+go = { x = 220, y = 0, z = 40 }
+[[steps]]
+go = { from = "cube" }
+[[steps]]
+choose = "Which side?"
+by = "seen"
+[[steps.when]]
+answer = "left"
+[[steps.when.steps]]
+go = { x = 200, y = 80, z = 40 }
+[[steps.when]]
+answer = "right"
+"""
+
+
+def seen(question: dobot.Question) -> str | tuple[float, ...]:
+    if question.place == "cube":
+        return (200.0, -40.0, 20.0)
+    assert question.text == "Which side?" and question.answers == ("left", "right")
+    return "left"
+
+
+def test_a_function_answers_the_questions_of_a_program() -> None:
+    with dobot.connect("virtual:") as arm:
+        program = dobot.program(text=SORT)
+        assert arm.check(program).depends_on_answers
+        asked: list[str] = []
+
+        def answer(question: dobot.Question) -> str | tuple[float, ...]:
+            asked.append(question.text)
+            return seen(question)
+
+        arm.run(program, progress=None, ask=answer)
+        assert asked == ["Where is cube?", "Which side?"]
+        assert abs(arm.status().y_mm - 80) < 0.5
+
+
+def test_a_coroutine_runs_a_program_that_asks() -> None:
+    async def main() -> None:
+        async with dobot.aconnect("virtual:") as arm:
+            await arm.run(dobot.program(text=SORT), progress=None, ask=seen)
+            assert abs((await arm.status()).y_mm - 80) < 0.5
+
+    asyncio.run(main())
+
+
+def test_a_question_that_nobody_answers_or_a_wrong_answer_is_an_error() -> None:
+    with dobot.connect("virtual:") as arm:
+        with pytest.raises(dobot.Failed, match="give `run` a function `ask`"):
+            arm.run(dobot.program(text=SORT), progress=None)
+    with dobot.connect("virtual:") as arm:
+        with pytest.raises(dobot.Refused, match="the program asks for the position"):
+            arm.run(dobot.program(text=SORT), progress=None, ask=lambda question: "left")
+
+
 def test_the_words_of_a_step_are_those_of_the_schema() -> None:
     schema = json.loads(Taught.schema())["$defs"]
     assert set(dobot.Step.__annotations__) == set(schema["Step"]["properties"])

@@ -4,6 +4,8 @@ use dobot_wire::Command;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::decision::{AskingProgram, PendingQuestion};
+
 /// A job to queue.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -30,7 +32,7 @@ pub struct NewJob {
 }
 
 /// The steps and cycles of a job.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JobProgram {
     /// The index of the first command of each step, in order; if empty, each command is a step.
@@ -40,13 +42,22 @@ pub struct JobProgram {
     /// The repeated commands.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub repeat: Option<JobRepeat>,
+    /// The program, if it asks while it runs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub asking: Option<Box<AskingProgram>>,
 }
 
 impl JobProgram {
     /// Returns whether each command is a step and runs once.
     #[must_use]
     pub const fn is_plain(&self) -> bool {
-        self.steps.is_empty() && self.repeat.is_none()
+        self.steps.is_empty() && self.repeat.is_none() && self.asking.is_none()
+    }
+
+    /// Returns the question asked after the last command.
+    #[must_use]
+    pub fn question(&self) -> Option<&PendingQuestion> {
+        self.asking.as_ref()?.question.as_ref()
     }
 
     /// Checks that the program fits a job with this number of commands.
@@ -73,6 +84,9 @@ impl JobProgram {
             )),
             Some(JobRepeat { times: Some(0), .. }) => {
                 Err("a cycle runs 0 times; allowed is 1 or more, or no number to repeat until the job is ended".into())
+            }
+            Some(_) if self.asking.is_some() => {
+                Err("a program that asks has no repeat: its next cycle is an answer".into())
             }
             _ => Ok(()),
         }
@@ -233,6 +247,9 @@ pub struct JobView {
     /// The progress in steps and cycles, if it is a program.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub program: Option<ProgramView>,
+    /// The question that the job waits for, while the arm is at rest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub question: Option<PendingQuestion>,
 }
 
 /// The progress of a program in steps and cycles.

@@ -15,6 +15,7 @@
 
 mod button;
 mod calibration;
+mod decision;
 mod fleet;
 #[cfg(feature = "remote")]
 mod folders;
@@ -47,6 +48,7 @@ pub use calibration::{
     Axis, Backlash, CalibrationFile, Calibrations, NoSuchArm, PaperPlane, ToolOffset, Touched,
     Zeros,
 };
+pub use decision::{Answer, AnsweredBy, AskingProgram, GivenPlace, PendingQuestion, Question};
 pub use fleet::{
     ApiAnswer, ApiRequest, FleetView, FleetWideStop, GivenArm, GivenArms, Member, MemberAbout,
     MemberAnswer, Presence, Recipients, is_fleet_name,

@@ -136,6 +136,16 @@ pub enum News {
         /// Its phase.
         phase: JobPhase,
     },
+    /// The running program asks a question.
+    JobAsks {
+        /// The job number.
+        job: u64,
+    },
+    /// The question of the running program was answered.
+    JobAnswered {
+        /// The job number.
+        job: u64,
+    },
     /// A fault of the station itself: recording, journal, or a client that sends too much.
     Trouble,
 }

@@ -144,6 +144,10 @@ kinds! {
         "The laser burns only after a person has armed it for a while with `POST /api/v1/laser`.";
     JOB_RUNNING = 409 "job-running" "a job is using the arm"
         "While a job runs, nothing else moves the arm. Pause it, or wait until it is done.";
+    NO_QUESTION = 409 "no-question" "the job does not wait for an answer"
+        "A running program asks at rest, after the commands before the question. `question` in `/api/v1/jobs` shows it.";
+    BAD_ANSWER = 422 "bad-answer" "the answer does not fit"
+        "The answer is none of those that the program allows, or the arm may not go where it leads. The job still waits.";
     NO_JOB_RUNS = 409 "no-job-runs" "no job is running"
         "Only a running job can be paused. `/api/v1/jobs` lists all jobs.";
     DETECTING = 409 "detecting" "the dialect is being detected"

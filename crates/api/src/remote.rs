@@ -264,6 +264,7 @@ const fn patience(request: &Request) -> Duration {
         Request::SubmitJob { .. }
         | Request::QueueAgain { .. }
         | Request::StartJob { .. }
+        | Request::AnswerJob { .. }
         | Request::StepJob { .. } => Duration::from_secs(60),
         _ => PATIENCE,
     }

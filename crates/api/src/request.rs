@@ -4,7 +4,7 @@ use dobot_wire::{Command, Dialect, JointJog, LinearJog};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::{Button, CalibrationFile, ClientId, NewJob, Role, TimeSlot};
+use crate::{Answer, Button, CalibrationFile, ClientId, NewJob, Role, TimeSlot};
 
 /// A request to the station.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -156,6 +156,13 @@ pub enum Request {
         /// The job number.
         job: u64,
     },
+    /// Answer the question of the running job; it continues with the steps for that answer.
+    AnswerJob {
+        /// The job.
+        job: u64,
+        /// The answer.
+        answer: Answer,
+    },
     /// Confirm that a person has done what a paused job waits for; [`Request::StartJob`] then
     /// resumes it.
     ConfirmJob {
@@ -257,6 +264,7 @@ impl Request {
             | Self::SetAngles
             | Self::Detect
             | Self::StartJob { .. }
+            | Self::AnswerJob { .. }
             | Self::ConfirmJob { .. }
             | Self::StepJob { .. }
             | Self::PauseJob

@@ -12,6 +12,7 @@ use crate::control::take_control;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output::time_left;
+use crate::questions::Questions;
 
 /// Starts or resumes a job, and follows it to its end. The client must have control, which is released
 /// while the job runs unless it burns, so that other clients can change its speed.
@@ -177,12 +178,18 @@ async fn follow(
     let mut interrupt = std::pin::pin!(interrupt());
     let mut interrupted = false;
     let mut watch = JobWatch::new(job);
+    let mut questions = Questions::of(job);
     loop {
         let event = tokio::select! {
-            event = station.next() => event?,
+            // Virtual time stands still while a person answers.
+            event = station.next(), if !(is_virtual && questions.waits_for_line()) => event?,
             () = &mut interrupt, if !interrupted => {
                 interrupted = true;
                 pause(station).await?;
+                continue;
+            }
+            line = questions.line() => {
+                questions.answer(station, line, bar).await;
                 continue;
             }
         };
@@ -190,6 +197,10 @@ async fn follow(
             StationEvent::State(state) => {
                 if let Some(view) = state.job.as_ref().filter(|view| view.job == job) {
                     show(bar, view, is_virtual);
+                    questions.handle(view.question.as_ref(), bar);
+                    if is_virtual && let Some(failure) = questions.unanswerable() {
+                        return Err(failure);
+                    }
                 }
                 see(&state);
             }

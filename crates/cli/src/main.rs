@@ -13,6 +13,7 @@ mod open_files;
 mod output;
 mod pendant;
 mod program_file;
+mod questions;
 mod reach;
 mod renamed;
 mod stderr;

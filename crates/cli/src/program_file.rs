@@ -6,15 +6,10 @@ use std::path::Path;
 use anyhow::{Context, anyhow};
 use dobot_draw::ProgramFiles;
 use dobot_host::{DryRun, PlannedFor};
-use dobot_teach::{Compiled, Files, Program, ProgramForm};
+use dobot_teach::{Compiled, Files, Program, ProgramForm, Times};
 
 use crate::failure::Failure;
 use crate::output::{self, clock};
-
-/// Reads and compiles a program or points of the vendor's software. Prints warnings on standard error.
-pub(crate) fn compile(file: &Path, arm: &PlannedFor) -> Result<Compiled, Failure> {
-    compile_read(file, &read_program(file)?, arm)
-}
 
 /// Reads a program or points of the vendor's software. Prints warnings on standard error.
 pub(crate) fn read_program(file: &Path) -> Result<Program, Failure> {
@@ -27,23 +22,21 @@ pub(crate) fn read_program(file: &Path) -> Result<Program, Failure> {
     }
 }
 
-/// Compiles a program that was read from a file.
-pub(crate) fn compile_read(
+/// Compiles a program that was read from a file, with another number of cycles unless it is `None`.
+/// Returns the program with that number, too.
+pub(crate) fn compile_times(
     file: &Path,
     program: &Program,
+    times: Option<Times>,
     arm: &PlannedFor,
-) -> Result<Compiled, Failure> {
-    let mut compiled = program
-        .compile_for(&arm.arm(), &mut files_beside(file, arm))
-        .with_context(|| named(file))?;
-    if compiled.title.is_empty() {
-        compiled.title = file
-            .file_stem()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned();
+) -> Result<(Program, Compiled), Failure> {
+    let mut program = program.clone();
+    if program.title.is_empty() {
+        let name = file.file_stem().unwrap_or_default();
+        program.title = name.to_string_lossy().into_owned();
     }
-    Ok(compiled)
+    let compiled = program.compile_times(times, &arm.arm(), &mut files_beside(file, arm));
+    Ok(compiled.with_context(|| named(file))?)
 }
 
 /// Describes a program and its durations in one line.
@@ -68,6 +61,9 @@ pub(crate) fn summary(program: &Compiled, dry_run: &DryRun) -> String {
             Some(total_s) => format!("{} in total", clock(total_s)),
             None => "until a person ends it".to_owned(),
         });
+    }
+    if dry_run.depends_on_answers {
+        parts.push("with the first answer to each question".to_owned());
     }
     format!("{}: {}", program.title, parts.join(", "))
 }

@@ -8,8 +8,8 @@ use std::io;
 use std::time::Duration;
 
 use dobot_api::{
-    CalibrationFile, Calibrations, ClientId, FleetWideStop, LinkPhase, LinkProblem, News, Notice,
-    Reply, Request,
+    Answer, CalibrationFile, Calibrations, ClientId, FleetWideStop, LinkPhase, LinkProblem, News,
+    Notice, Reply, Request,
 };
 use dobot_motion::Model;
 use dobot_safety::Policy;
@@ -27,7 +27,7 @@ use crate::disk::Disk;
 use crate::finder::cause_of_link;
 use crate::handle::{DriverChannels, Message, PassedPacket};
 use crate::host::scaled_to_arm_time;
-use crate::jobs::{JobStart, Jobs, Written, recovery_model};
+use crate::jobs::{GivenAnswer, JobStart, Jobs, Written, recovery_model};
 use crate::known_arms::{KnownArms, NewText};
 use crate::recording::Recording;
 use crate::saved_slots::SavedSlots;
@@ -60,6 +60,8 @@ pub(crate) struct Driver {
     waiting: HashMap<ClientId, oneshot::Sender<Result<Reply, Refusal>>>,
     /// A start that waits until its job has come to rest.
     held_start: Option<DeferredStart>,
+    /// Whether an answer to the question of the job is being worked out.
+    is_answering: bool,
     /// For tasks that send messages to the driver.
     own: mpsc::Sender<Message>,
     heartbeats: HeartbeatSender,
@@ -123,6 +125,7 @@ impl Driver {
             recording: parts.recording,
             waiting: HashMap::new(),
             held_start: None,
+            is_answering: false,
             own: parts.own,
             heartbeats: parts.heartbeats,
             ending: None,
@@ -243,6 +246,7 @@ impl Driver {
             let now = self.now();
             self.supervisor.handle_time(now);
             self.try_held_start();
+            self.give_due_answer();
             if let Some(trouble) = self.recording.poll_trouble() {
                 self.supervisor.handle_trouble(now, trouble);
             }
@@ -419,6 +423,17 @@ impl Driver {
                 let answer = self.supervisor.handle_start(now, client, *started);
                 let _ = reply.send(answer);
             }
+            Message::Answered { longer, reply } => {
+                self.is_answering = false;
+                let answer =
+                    longer.and_then(|longer| self.supervisor.handle_answered(now, *longer));
+                match (reply, answer) {
+                    // The requester may have left.
+                    (Some(reply), answer) => drop(reply.send(answer)),
+                    (None, Err(refusal)) => self.supervisor.handle_bad_answer(now, &refusal),
+                    (None, Ok(_)) => {}
+                }
+            }
             Message::Jobs(reply) => self.jobs.clone().list(self.supervisor.job(), reply),
             Message::Policy {
                 client,
@@ -591,12 +606,55 @@ impl Driver {
                 };
                 self.start_job(DeferredStart { start, until });
             }
+            Request::AnswerJob { job, answer } => self.answer_question(job, answer, Some(reply)),
             Request::CancelJob { job } if !self.is_at(job) => {
                 jobs.cancel(job, self.supervisor.client_name(client), reply);
             }
             request => return Some((request, reply)),
         }
         None
+    }
+
+    /// Continues the program that waits for an answer.
+    fn answer_question(
+        &mut self,
+        job: u64,
+        answer: Answer,
+        reply: Option<oneshot::Sender<Result<Reply, Refusal>>>,
+    ) {
+        let before = self.supervisor.answers_of(job);
+        let before = before.and_then(|before| {
+            let is_first = !self.is_answering;
+            is_first.then_some(before).ok_or(Refusal::NoQuestion(job))
+        });
+        let found = before.and_then(|before| Ok((before, self.supervisor.planning_model()?)));
+        match found {
+            Err(refusal) => match reply {
+                Some(reply) => drop(reply.send(Err(refusal))),
+                None => self.supervisor.handle_bad_answer(self.now(), &refusal),
+            },
+            Ok((before, model)) => {
+                self.is_answering = true;
+                self.write_journal();
+                let given = GivenAnswer {
+                    job,
+                    before,
+                    answer,
+                };
+                let own = self.own.clone();
+                self.jobs.clone().answer_question(given, model, reply, own);
+            }
+        }
+    }
+
+    /// Gives the answer that is due without a person.
+    fn give_due_answer(&mut self) {
+        if self.is_answering {
+            return;
+        }
+        if let Some((job, answer)) = self.supervisor.poll_due_answer() {
+            self.answer_question(job, answer, None);
+        }
     }
 
     /// Returns whether this is the current job.

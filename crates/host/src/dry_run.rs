@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_api::{ClientId, JobPhase, JobProgram, JobRepeat, JobState, NewJob, Request};
 use dobot_controller::{Personality, PowerUp};
 use dobot_supervisor::Refusal;
-use dobot_teach::{Compiled, Problem, check};
+use dobot_teach::{Compiled, Files, Problem, Program, ProgramError, check};
 use dobot_wire::{Command, Dialect, MoveJoints, MovingMode, Status};
 use serde::Serialize;
 
@@ -29,6 +29,42 @@ pub struct DryRun {
     /// The total duration, in seconds; `None` if the program repeats until a person ends it or
     /// there are problems.
     pub total_s: Option<f64>,
+    /// Whether durations depend on answers: then they are those with the first answer of each
+    /// question, without waiting for it.
+    pub depends_on_answers: bool,
+}
+
+/// Runs each path through a program on the twin, see [`Program::paths`]. Returns the first one, and
+/// the problems of all.
+///
+/// # Errors
+///
+/// [`ProgramError`] if the program cannot be compiled.
+pub fn dry_run_program(
+    program: &Program,
+    arm: &PlannedFor,
+    files: &mut dyn Files,
+) -> Result<(Compiled, DryRun), ProgramError> {
+    let mut paths = program.paths(&arm.arm(), files)?.into_iter();
+    let first = paths.next();
+    let first = first.ok_or_else(|| ProgramError::new("the program has no steps"))?;
+    let mut found = dry_run(&first, arm);
+    found.depends_on_answers = first.asks;
+    for path in paths {
+        for problem in dry_run(&path, arm).problems {
+            let is_same = |known: &Problem| {
+                (known.line, &known.file, &known.message)
+                    == (problem.line, &problem.file, &problem.message)
+            };
+            if !found.problems.iter().any(is_same) {
+                found.problems.push(problem);
+            }
+        }
+    }
+    if !found.problems.is_empty() {
+        (found.first_s, found.cycle_s, found.total_s) = (None, None, None);
+    }
+    Ok((first, found))
 }
 
 /// Runs a program on the twin of an arm, in virtual time: from where the arm stands, with its
@@ -43,6 +79,7 @@ pub fn dry_run(program: &Compiled, arm: &PlannedFor) -> DryRun {
         first_s: None,
         cycle_s: None,
         total_s: None,
+        depends_on_answers: false,
     };
     if !report.problems.is_empty() {
         return without_times(report.problems);
@@ -58,6 +95,7 @@ pub fn dry_run(program: &Compiled, arm: &PlannedFor) -> DryRun {
             first_s: Some(times.first),
             cycle_s: times.cycle,
             total_s: times.total,
+            depends_on_answers: false,
         },
         Err(failed) => without_times(failed.problem(program).into_iter().collect()),
     }

@@ -189,6 +189,13 @@ pub enum Message {
         /// The answer.
         reply: oneshot::Sender<Result<Reply, Refusal>>,
     },
+    /// A program continues after an answer, or cannot.
+    Answered {
+        /// The longer job.
+        longer: Result<Box<StartedJob>, Refusal>,
+        /// The requester; none if the station itself has answered.
+        reply: Option<oneshot::Sender<Result<Reply, Refusal>>>,
+    },
     /// List all jobs: oldest first, unless queued ones were moved.
     Jobs(oneshot::Sender<Result<Vec<JobView>, Refusal>>),
     /// Replace the policy.

@@ -7,12 +7,13 @@ mod offers;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-use dobot_api::{ClientId, JobPath, JobPhase, JobState, JobView, NewJob, Reply};
+use dobot_api::{Answer, ClientId, JobPath, JobPhase, JobState, JobView, NewJob, Reply};
 use dobot_arm::{Joints, Tool};
-use dobot_journal::{Job, JobId, Journal, JournalError, PlannedJob, Window};
+use dobot_journal::{Job, JobExtension, JobId, Journal, JournalError, PlannedJob, Window};
 use dobot_motion::{ArmPlace, Model};
 use dobot_safety::Policy;
 use dobot_supervisor::{Effect, JobPlan, Refusal, StartedJob, plain};
+use dobot_wire::Command;
 use tokio::sync::{mpsc, oneshot};
 
 use self::check::check_new;
@@ -207,6 +208,22 @@ impl Jobs {
         });
     }
 
+    /// Continues a program by an answer, and sends the longer job to the driver.
+    pub(crate) fn answer_question(
+        self,
+        given: GivenAnswer,
+        model: Model,
+        reply: Option<oneshot::Sender<Result<Reply, Refusal>>>,
+        driver: mpsc::Sender<Message>,
+    ) {
+        tokio::task::spawn_blocking(move || {
+            self.catch_up();
+            let longer = extended(&self.journal, &self.policy, given, model).map(Box::new);
+            // A driver that ends drops the message, and with it the reply.
+            let _ = driver.blocking_send(Message::Answered { longer, reply });
+        });
+    }
+
     /// Ends a job that is not the current one.
     pub(crate) fn cancel(
         self,
@@ -346,6 +363,7 @@ pub(crate) fn view(job: &Job) -> JobView {
             .last()
             .map_or(0.0, |height| height.offset_mm),
         program: job.program.view(job.commands, job.window.completed),
+        question: None,
     }
 }
 
@@ -420,6 +438,54 @@ pub(crate) fn startable(
     check_again(journal, policy, &job, model)
 }
 
+/// An answer to the question of a job.
+#[derive(Debug)]
+pub(crate) struct GivenAnswer {
+    pub(crate) job: u64,
+    /// The number of answers before.
+    pub(crate) before: usize,
+    pub(crate) answer: Answer,
+}
+
+/// Compiles and checks the longer program that follows an answer, and stores it.
+pub(crate) fn extended(
+    journal: &Journal,
+    policy: &Policy,
+    given: GivenAnswer,
+    model: Model,
+) -> Result<StartedJob, Refusal> {
+    let job = find(journal, given.job)?;
+    let asking = job.program.asking.as_ref();
+    let asking = asking.filter(|asking| asking.answers.len() == given.before);
+    let asking = asking.ok_or(Refusal::NoQuestion(given.job))?;
+    let longer = dobot_teach::continued(asking, given.answer, &job.calibration)
+        .map_err(|error| Refusal::BadAnswer(error.to_string()))?;
+    check_new(&NewJob {
+        title: job.title.clone(),
+        ..longer.clone()
+    })?;
+    let extension = JobExtension {
+        commands: longer.commands,
+        pauses: longer.pauses,
+        program: longer.program,
+    };
+    let extended = Job {
+        commands: extension.commands.len(),
+        pauses: extension.pauses.clone(),
+        program: extension.program.clone(),
+        ..job
+    };
+    let plan = plan_again(policy, &extended, extension.commands.clone(), model);
+    let plan = plan.map_err(|refusal| match refusal {
+        Refusal::BadJob { why, .. } => Refusal::BadAnswer(why),
+        refusal => refusal,
+    })?;
+    journal
+        .extend(extended.id, &extension)
+        .map_err(|error| journal_refusal(&error))?;
+    Ok(StartedJob::new(&extended, plan))
+}
+
 /// Checks that the commands of a job were made for the arm as it is now.
 fn check_made_for(job: &Job, model: &Model) -> Result<(), Refusal> {
     if job.dialect != model.dialect {
@@ -453,8 +519,20 @@ pub(crate) fn check_again(
     let commands = journal
         .commands(job.id)
         .map_err(|error| journal_refusal(&error))?;
+    Ok(StartedJob::new(
+        job,
+        plan_again(policy, job, commands, model)?,
+    ))
+}
+
+fn plan_again(
+    policy: &Policy,
+    job: &Job,
+    commands: Vec<Command>,
+    model: Model,
+) -> Result<JobPlan, Refusal> {
     let lift_mm = job.lift_mm.unwrap_or(0.0);
-    let plan = JobPlan::new(
+    JobPlan::new(
         policy,
         model,
         commands,
@@ -462,8 +540,7 @@ pub(crate) fn check_again(
         lift_mm,
         job.window.upto,
         &job.program,
-    )?;
-    Ok(StartedJob::new(job, plan))
+    )
 }
 
 /// Returns the model for checking an interrupted job: its first target sets the start, so any

@@ -49,6 +49,7 @@ mod long_work;
 mod planned_for;
 mod prepared_arm;
 mod priority;
+mod program_job;
 mod recording;
 mod saved_slots;
 mod saved_stop;
@@ -63,7 +64,7 @@ pub use background::Background;
 pub use client::{JobWatch, JobsError, JogEnd, LocalArm, NoArm, OpenArmError, StationClient};
 pub use connect::OwnVirtualArm;
 pub use drawing_job::drawing_job;
-pub use dry_run::{DryRun, dry_run, personality_of};
+pub use dry_run::{DryRun, dry_run, dry_run_program, personality_of};
 pub use finder::{
     Finder, FinderNews, Found, KnownPort, NothingFound, ProbeFailure, Reconnect, Search,
 };
@@ -77,6 +78,7 @@ pub use known_arms::KnownArmsError;
 pub use long_work::{LongWorkError, run_long};
 pub use planned_for::PlannedFor;
 pub use prepared_arm::{ArmSelection, PreparedArm};
+pub use program_job::{ProgramJobError, program_job};
 pub use recording::{notice_topic, state_topic, tools_of};
 pub use service_manager::{Notification, ServiceManager};
 pub use target::{PathName, Target, TargetPlace, UnknownPath};

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use dobot_api::JobState;
 use dobot_api::{
-    Calibrations, ClientId, FleetWideStop, JobPath, JobView, LinkCause, LinkPhase, LinkProblem,
-    NewJob, Notice, Reply, Request, Role,
+    Answer, Calibrations, ClientId, FleetWideStop, JobPath, JobView, LinkCause, LinkPhase,
+    LinkProblem, NewJob, Notice, Reply, Request, Role,
 };
 use dobot_controller::{Controller, PowerUp};
 use dobot_journal::{JobId, Journal, JournalError};
@@ -15,7 +15,7 @@ use dobot_supervisor::{Effect, Refusal, SavedFleetStop, StartedJob, StoppedBy, S
 use dobot_wire::Packet;
 
 use crate::job_path::path_of;
-use crate::jobs;
+use crate::jobs::{self, GivenAnswer};
 use crate::watchdog::GAP;
 use crate::{OfferAnswer, OfferRequest, Rules};
 
@@ -258,6 +258,7 @@ impl VirtualStation {
                 request,
                 Request::StartJob { .. }
                     | Request::StepJob { .. }
+                    | Request::AnswerJob { .. }
                     | Request::CancelJob { .. }
                     | Request::MoveJob { .. }
                     | Request::ForgetJob { .. }
@@ -296,6 +297,7 @@ impl VirtualStation {
                 }
                 Request::StartJob { job } => return self.start_with(client, job, false),
                 Request::StepJob { job } => return self.start_with(client, job, true),
+                Request::AnswerJob { job, answer } => return self.answer(job, answer),
                 Request::CancelJob { job } if !self.is_at(job) => {
                     jobs::end_waiting(&self.journal, job, &self.supervisor.client_name(client))?;
                     return self.kept(job);
@@ -405,6 +407,31 @@ impl VirtualStation {
         let reply = self.supervisor.handle_start(now, client, started);
         self.settle();
         reply
+    }
+
+    fn answer(&mut self, job: u64, answer: Answer) -> Result<Reply, Refusal> {
+        let given = GivenAnswer {
+            job,
+            before: self.supervisor.answers_of(job)?,
+            answer,
+        };
+        let model = self.supervisor.planning_model()?;
+        let longer = jobs::extended(&self.journal, &self.policy, given, model)?;
+        let now = self.supervisor_now();
+        let reply = self.supervisor.handle_answered(now, longer);
+        self.settle();
+        reply
+    }
+
+    /// Gives the answer that is due without a person.
+    fn give_due_answer(&mut self) {
+        let Some((job, answer)) = self.supervisor.poll_due_answer() else {
+            return;
+        };
+        if let Err(refusal) = self.answer(job, answer) {
+            let now = self.supervisor_now();
+            self.supervisor.handle_bad_answer(now, &refusal);
+        }
     }
 
     /// Returns all jobs: oldest first, unless queued ones were moved.
@@ -583,6 +610,7 @@ impl VirtualStation {
             self.supervisor.handle_bytes(now, &bytes);
         }
         self.supervisor.handle_time(now);
+        self.give_due_answer();
         self.write();
         while let Some(packet) = self.supervisor.poll_bytes() {
             if self.plugged {

@@ -78,6 +78,10 @@ pub enum JournalError {
     #[error("there is no job {0}; it may have been removed")]
     NoSuchJob(JobId),
 
+    /// A longer program does not begin with the commands of its job.
+    #[error("the longer program does not begin with the commands of job {0}; they may be done")]
+    Shorter(JobId),
+
     /// A command is not valid for an arm with the job's dialect.
     #[error("command {index} of the job cannot be sent: {source}")]
     NotSendable {

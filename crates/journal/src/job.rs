@@ -47,6 +47,17 @@ pub struct PlannedJob {
     pub key: Option<String>,
 }
 
+/// A longer program for a job, with the same beginning.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JobExtension {
+    /// All commands, in order.
+    pub commands: Vec<Command>,
+    /// All pauses for a person, in order.
+    pub pauses: Vec<JobPause>,
+    /// The steps, and the program with its answers.
+    pub program: JobProgram,
+}
+
 /// A job in the journal, without its commands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Job {

@@ -9,12 +9,12 @@ use redb::{ReadOnlyTable, ReadTransaction, ReadableTable, StorageBackend, WriteT
 
 use crate::new_rows::NewRows;
 use crate::offers::keep_outcome;
-use crate::rows::{self, JobRow};
+use crate::rows::{self, JobRow, check_pauses};
 use crate::store::{
     CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, MISSING_FACT, OFFERS, PLACES, REFUSALS,
     STEPS, Store, WINDOWS, fact,
 };
-use crate::{Adjustment, Job, JobHistory, JobId, JournalError, PlannedJob, Window};
+use crate::{Adjustment, Job, JobExtension, JobHistory, JobId, JournalError, PlannedJob, Window};
 
 /// A file of jobs that survives crashes and power cuts.
 ///
@@ -203,6 +203,42 @@ impl Journal {
         self.change(id, |row| {
             row.change_state(id, state)?;
             row.history = history;
+            Ok(())
+        })
+    }
+
+    /// Extends a job that is not over by the commands that follow an answer. **Only after this
+    /// returned `Ok` may the answer take effect.**
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError::NoSuchJob`], [`JournalError::Shorter`] if the new commands do not begin with
+    /// those of the job, [`JournalError::NotRunning`] if the job is over, or the storage fails.
+    pub fn extend(&self, id: JobId, longer: &JobExtension) -> Result<(), JournalError> {
+        let known = self.commands(id)?;
+        let mut store = self.store();
+        let mut row = store.row(id)?;
+        if row.state.is_over() {
+            let state = row.state;
+            return Err(JournalError::NotRunning { job: id, state });
+        }
+        if !longer.commands.starts_with(&known) {
+            return Err(JournalError::Shorter(id));
+        }
+        check_pauses(&longer.pauses, longer.commands.len())?;
+        let program = longer.program.check(longer.commands.len());
+        program.map_err(JournalError::Program)?;
+        let dialect = row.dialect().map_err(|found| store.damaged(found))?;
+        let packets = rows::packets(&longer.commands, &dialect)?;
+        let steps = rows::steps_bytes(&longer.program);
+        row.extend(longer);
+        let row = row.to_bytes();
+        store.write(|change| {
+            change
+                .open_table(COMMANDS)?
+                .insert(id.0, packets.as_slice())?;
+            change.open_table(STEPS)?.insert(id.0, steps.as_slice())?;
+            change.open_table(JOBS)?.insert(id.0, row.as_slice())?;
             Ok(())
         })
     }

@@ -60,7 +60,7 @@ pub use adjustment::{Adjustment, HeightChange};
 pub use ends::{End, Located, SPACING_MM};
 #[cfg(feature = "store")]
 pub use error::JournalError;
-pub use job::{Job, JobHistory, JobId, PlannedJob};
+pub use job::{Job, JobExtension, JobHistory, JobId, PlannedJob};
 #[cfg(feature = "store")]
 pub use journal::Journal;
 #[cfg(feature = "store")]

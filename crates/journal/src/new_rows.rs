@@ -20,7 +20,7 @@ impl NewRows {
         finite("the planned time", job.planned_s)?;
         Ok(Self {
             row: JobRow::new(job)?.to_bytes(),
-            packets: rows::packets(job)?,
+            packets: rows::packets(&job.commands, &job.dialect)?,
             steps: rows::steps_bytes(&job.program),
         })
     }

@@ -1,11 +1,11 @@
 //! Jobs as table rows, and checks that they can be read back.
 
-use dobot_api::{JobKind, JobPause, JobProgram, JobRepeat, JobState};
+use dobot_api::{AskingProgram, JobKind, JobPause, JobProgram, JobRepeat, JobState};
 use dobot_arm::Calibration;
 use dobot_wire::{Command, Dialect, Frame, PACKET_LEN, Packet, Status};
 use serde::{Deserialize, Serialize};
 
-use crate::{Adjustment, Job, JobHistory, JobId, JournalError, PlannedJob, Window};
+use crate::{Adjustment, Job, JobExtension, JobHistory, JobId, JournalError, PlannedJob, Window};
 
 /// A row of the table of jobs, as JSON.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -36,6 +36,9 @@ pub(crate) struct JobRow {
     // Missing in format 4.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) key: Option<String>,
+    // Missing in format 5.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    asking: Option<Box<AskingProgram>>,
 }
 
 /// The history of a job that started before it was recorded.
@@ -55,7 +58,7 @@ impl JobRow {
         {
             return Err(JournalError::Lift(lift_mm));
         }
-        check_pauses(job)?;
+        check_pauses(&job.pauses, job.commands.len())?;
         let program = job.program.check(job.commands.len());
         program.map_err(JournalError::Program)?;
         Ok(Self {
@@ -75,6 +78,7 @@ impl JobRow {
                 .filter(|calibration| !calibration.is_none())
                 .map(|calibration| calibration.to_numbers()),
             key: job.key.clone(),
+            asking: job.program.asking.clone(),
         })
     }
 
@@ -109,15 +113,26 @@ impl JobRow {
 
     /// Returns the total number of commands over all cycles.
     pub(crate) fn total(&self) -> usize {
-        let total = self.program(Vec::new()).total(self.commands);
-        total.unwrap_or(usize::MAX)
+        let program = JobProgram {
+            repeat: self.repeat,
+            ..JobProgram::default()
+        };
+        program.total(self.commands).unwrap_or(usize::MAX)
     }
 
-    const fn program(&self, steps: Vec<usize>) -> JobProgram {
+    fn program(&self, steps: Vec<usize>) -> JobProgram {
         JobProgram {
             steps,
             repeat: self.repeat,
+            asking: self.asking.clone(),
         }
+    }
+
+    /// Replaces commands, pauses and steps by those of a longer program with the same beginning.
+    pub(crate) fn extend(&mut self, longer: &JobExtension) {
+        self.commands = longer.commands.len();
+        self.pauses.clone_from(&longer.pauses);
+        self.asking.clone_from(&longer.program.asking);
     }
 
     pub(crate) fn job(self, id: JobId, steps: Vec<usize>, window: Window) -> Result<Job, String> {
@@ -145,15 +160,15 @@ impl JobRow {
 }
 
 /// Checks that pauses are in the order of their commands, each at a different command.
-fn check_pauses(job: &PlannedJob) -> Result<(), JournalError> {
+pub(crate) fn check_pauses(pauses: &[JobPause], commands: usize) -> Result<(), JournalError> {
     let mut least = 0;
-    for (index, pause) in job.pauses.iter().enumerate() {
-        if !(least..job.commands.len()).contains(&pause.before) {
+    for (index, pause) in pauses.iter().enumerate() {
+        if !(least..commands).contains(&pause.before) {
             return Err(JournalError::Pause {
                 index,
                 before: pause.before,
                 least,
-                commands: job.commands.len(),
+                commands,
             });
         }
         least = pause.before + 1;
@@ -162,11 +177,11 @@ fn check_pauses(job: &PlannedJob) -> Result<(), JournalError> {
 }
 
 /// Returns the packets of a job in sequence: what the arm will get, bit by bit.
-pub(crate) fn packets(job: &PlannedJob) -> Result<Vec<u8>, JournalError> {
-    let mut bytes = Vec::with_capacity(job.commands.len() * PACKET_LEN);
-    for (index, command) in job.commands.iter().enumerate() {
-        let packet = command.emit(&job.dialect);
-        let back = Command::parse(&packet, &job.dialect)
+pub(crate) fn packets(commands: &[Command], dialect: &Dialect) -> Result<Vec<u8>, JournalError> {
+    let mut bytes = Vec::with_capacity(commands.len() * PACKET_LEN);
+    for (index, command) in commands.iter().enumerate() {
+        let packet = command.emit(dialect);
+        let back = Command::parse(&packet, dialect)
             .map_err(|source| JournalError::NotSendable { index, source })?;
         if back != *command {
             return Err(JournalError::NotExact { index });

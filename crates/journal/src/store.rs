@@ -298,7 +298,7 @@ fn is_full(error: &io::Error) -> bool {
 }
 
 /// The format that this version writes.
-pub(crate) const FORMAT: u64 = 5;
+pub(crate) const FORMAT: u64 = 6;
 /// The format of the tables.
 pub(crate) const FORMAT_FACT: &str = "format";
 /// Whether the program ended cleanly.

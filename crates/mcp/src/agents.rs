@@ -13,8 +13,8 @@ use tokio::sync::watch;
 
 use crate::Settings;
 use crate::arguments::{
-    ChangeJob, CheckMove, JobAction, NewDrawing, Nothing, PlannedDrawing, ProgramArguments,
-    RunProgram, StopArguments, ToJoints, ToPoint, WhichJobs, read,
+    AnswerJob, ChangeJob, CheckMove, JobAction, NewDrawing, Nothing, PlannedDrawing,
+    ProgramArguments, RunProgram, StopArguments, ToJoints, ToPoint, WhichJobs, read,
 };
 use crate::call::{Call, Shared, result};
 use crate::drawings::Drawings;
@@ -222,6 +222,22 @@ impl Agents {
             JobAction::Resume => call.moving(call.resume_job(&change)).await,
             JobAction::Pause | JobAction::Cancel => call.end_job(&change).await,
         })
+    }
+
+    #[tool(
+        description = "Answers the question of a running program that this agent has started (`question` in `jobs`): one of its answers, or the position that it asks for, if the policy allows it. Questions for a person are refused.",
+        input_schema = schema::<AnswerJob>()
+    )]
+    async fn answer_job(
+        &self,
+        arguments: JsonObject,
+        context: RequestContext<RoleServer>,
+    ) -> CallToolResult {
+        let call = self.call(context);
+        result(
+            call.moving(async { call.answer_job(read(arguments)?).await })
+                .await,
+        )
     }
 
     #[tool(

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use dobot_api::GivenPlace;
 use dobot_api::problem_kinds::OUT_OF_RANGE;
 use dobot_draw::{Format, Options};
 use dobot_host::{Target, TargetPlace};
@@ -270,6 +271,22 @@ pub(crate) enum JobAction {
     Resume,
     /// End the job for good.
     Cancel,
+}
+
+/// The answer to the question of a program: either answer or place.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct AnswerJob {
+    /// The number of the job.
+    pub(crate) job: u64,
+    /// One of the possible answers.
+    pub(crate) answer: Option<String>,
+    /// The position that it asks for: that of the tool's tip in the base frame.
+    pub(crate) place: Option<GivenPlace>,
+    /// How long to wait for the end of the job, in seconds; it continues afterwards.
+    #[serde(default = "half_a_minute")]
+    #[schemars(range(min = 0.0, max = 3600.0))]
+    pub(crate) wait_s: f64,
 }
 
 /// The reason of a stop.

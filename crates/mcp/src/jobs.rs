@@ -2,13 +2,13 @@
 
 use std::time::Duration;
 
-use dobot_api::{JobPhase, JobView, Reply, Request, StationEvent, post};
+use dobot_api::{Answer, JobPhase, JobView, News, Reply, Request, StationEvent, post};
 use dobot_host::{JobWatch, StationClient, run_long};
 use serde_json::{Value, json};
 use tokio::time::timeout;
 
 use crate::arguments::{
-    ChangeJob, JobAction, ProgramArguments, ProgramText, RunProgram, WhichJobs,
+    AnswerJob, ChangeJob, JobAction, ProgramArguments, ProgramText, RunProgram, WhichJobs,
 };
 use crate::call::{Call, wait};
 use crate::refused::Refused;
@@ -143,6 +143,27 @@ impl Call {
     }
 }
 
+impl Call {
+    /// Answers the question of a program that this agent has started, unless it is for a person.
+    pub(crate) async fn answer_job(&self, asked: AnswerJob) -> Result<Value, Refused> {
+        let time = wait(asked.wait_s)?;
+        let mut station = self.connect().await?;
+        self.check_may_move(&station)?;
+        let found = view(&mut station, asked.job).await?;
+        self.shared
+            .own_jobs
+            .check_may_answer(&self.name(), &found)?;
+        let answer = match (asked.answer, asked.place) {
+            (Some(answer), None) => Answer::Choice(answer),
+            (None, Some(place)) => Answer::Place(place),
+            _ => return Err(Refused::new("arguments", "give either answer or place")),
+        };
+        let job = asked.job;
+        station.request(Request::AnswerJob { job, answer }).await?;
+        follow(&mut station, job, time).await
+    }
+}
+
 /// Starts or resumes a job after control has been taken, then releases control, so that a person at
 /// the arm may pause it.
 async fn start(station: &mut StationClient, job: u64) -> Result<(), Refused> {
@@ -156,9 +177,13 @@ async fn follow(station: &mut StationClient, job: u64, time: Duration) -> Result
     let mut watch = JobWatch::new(job);
     let over = async {
         loop {
-            if let StationEvent::Notice(notice) = station.next().await?
-                && let Some(over) = watch.handle_notice(&notice)
-            {
+            let StationEvent::Notice(notice) = station.next().await? else {
+                continue;
+            };
+            if notice.news == (News::JobAsks { job }) {
+                return Ok((JobPhase::Running, notice.text));
+            }
+            if let Some(over) = watch.handle_notice(&notice) {
                 return Ok::<_, Refused>(over);
             }
         }

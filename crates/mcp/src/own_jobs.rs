@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use dobot_api::{JobPhase, JobView};
+use dobot_api::{AnsweredBy, JobPhase, JobView, Question};
 
 use crate::refused::Refused;
 
@@ -37,6 +37,33 @@ impl OwnJobs {
         {
             own.paused.clone_from(&job.reason);
         }
+    }
+
+    /// Checks that an agent may answer the question of a job: one that it has started, unless the
+    /// question is for a person.
+    ///
+    /// # Errors
+    ///
+    /// `needs-a-person`.
+    pub(crate) fn check_may_answer(&self, agent: &str, job: &JobView) -> Result<(), Refused> {
+        let jobs = self.lock();
+        let is_own = jobs.get(&job.job).is_some_and(|own| own.agent == agent);
+        let question = job.question.as_ref().map(|pending| &pending.question);
+        let is_for_person = matches!(
+            question,
+            Some(Question::Choice {
+                by: AnsweredBy::Person,
+                ..
+            })
+        );
+        let why = match (is_own, is_for_person) {
+            (false, _) => "another client queued it",
+            (true, true) => "its question is for a person",
+            (true, false) => return Ok(()),
+        };
+        let text = format!("job {} cannot be answered by an agent: {why}", job.job);
+        Err(Refused::new("needs-a-person", text)
+            .hinted("have a person answer on the station's page, or with `dobot jobs answer`"))
     }
 
     /// Checks that an agent may resume a job: only one that it has started and paused itself.

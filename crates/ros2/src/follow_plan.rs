@@ -272,6 +272,7 @@ fn job(moves: &[FollowMove], status: &Status) -> NewJob {
         program: JobProgram {
             steps,
             repeat: None,
+            asking: None,
         },
     }
 }

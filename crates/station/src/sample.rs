@@ -23,6 +23,7 @@ pub(crate) fn job(number: u64) -> JobView {
         speed_percent: 100.0,
         height_mm: 0.0,
         program: None,
+        question: None,
     }
 }
 

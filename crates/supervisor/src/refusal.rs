@@ -127,6 +127,12 @@ pub enum Refusal {
     /// No job is running.
     #[error("no job is running")]
     NoJobRuns,
+    /// The job does not wait for an answer.
+    #[error("job {0} does not wait for an answer now")]
+    NoQuestion(u64),
+    /// An answer does not fit the question, or the program cannot continue with it.
+    #[error("{0}")]
+    BadAnswer(String),
     /// There is no such job.
     #[error("there is no job {0}")]
     NoSuchJob(u64),
@@ -276,6 +282,14 @@ impl Refusal {
             Self::NoJobRuns => (
                 problem_kinds::NO_JOB_RUNS,
                 "list the jobs: `dobot jobs` or `GET /api/v1/jobs`",
+            ),
+            Self::NoQuestion(_) => (
+                problem_kinds::NO_QUESTION,
+                "show the question of the job: `dobot jobs` or `GET /api/v1/jobs`",
+            ),
+            Self::BadAnswer(_) => (
+                problem_kinds::BAD_ANSWER,
+                "give one of the allowed answers, or a position that the arm may go to",
             ),
             Self::NoSuchJob(_) => (
                 problem_kinds::NO_SUCH_JOB,

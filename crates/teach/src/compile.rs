@@ -1,5 +1,6 @@
 //! The compiler from programs to commands.
 
+mod decide;
 mod emit;
 mod resolve;
 mod state;
@@ -7,18 +8,19 @@ mod state;
 use std::collections::BTreeMap;
 use std::sync::Arc as Shared;
 
-use dobot_api::{JobPause, JobRepeat};
+use dobot_api::{Answer, JobPause, JobRepeat};
 use dobot_arm::{Calibration, Joints, Pose, Position, Tool, inverse};
 use dobot_motion::to_raw;
 use dobot_wire::{Command, MovingMode};
 use toml::Spanned;
 
+use self::decide::Decisions;
 use self::resolve::Spot;
 use self::state::State;
 use crate::files::{Called, MAX_COMMANDS, beside, error};
 use crate::program::{Arc, Drawing, Go};
 use crate::{
-    Action, Compiled, CompiledStep, Files, Here, Program, ProgramError, Steps, Times,
+    Action, Compiled, CompiledStep, Files, Here, Program, ProgramError, Steps, Times, Variables,
     barrier_reason,
 };
 
@@ -49,6 +51,21 @@ impl Program {
         arm: &Calibration,
         files: &mut dyn Files,
     ) -> Result<Compiled, ProgramError> {
+        self.compile_answered(arm, files, &[])
+    }
+
+    /// Compiles the program up to the first question without an answer.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`compile_for`](Self::compile_for), and [`ProgramError`] if an answer does not fit
+    /// its question, the first question comes before the first motion, or a loop never ends.
+    pub fn compile_answered(
+        &self,
+        arm: &Calibration,
+        files: &mut dyn Files,
+        answers: &[Answer],
+    ) -> Result<Compiled, ProgramError> {
         let mut called = Called::default();
         called.load(self, files, &mut Vec::new())?;
         let mut compiler = Compiler {
@@ -57,6 +74,7 @@ impl Program {
             arm: *arm,
             from: None,
             state: State::new(self.start_speed_percent),
+            decisions: Decisions::new(answers, &self.variables),
             out: Compiled {
                 title: self.title.clone(),
                 ..Compiled::default()
@@ -81,6 +99,7 @@ struct Compiler<'a> {
     /// The angles that the arm reports at the last target, if known.
     from: Option<Joints>,
     state: State,
+    decisions: Decisions<'a>,
     out: Compiled,
 }
 
@@ -114,6 +133,9 @@ impl Compiler<'_> {
         self.steps(scope, before)?;
         match last.get_ref() {
             Action::Repeat(Times::Count(1), inner) => self.steps(scope, &inner.0),
+            Action::Repeat(times, inner) if self.decides(scope) => {
+                self.unroll(scope, last, *times, inner)
+            }
             Action::Repeat(times, inner) => self.cycle(scope, *times, inner),
             _ => self.step(scope, last),
         }
@@ -176,10 +198,30 @@ impl Compiler<'_> {
                 "the program waits {found} times for a person; allowed are {MAX_PAUSES}"
             )));
         }
-        if !self.state.has_moved {
-            return Err(bad("no step moves the arm; add a step with go".into()));
+        if self.decisions.question.is_some() && self.has_laser_on() {
+            return Err(bad(
+                "the laser is on while the program asks; add a step with laser = false before it"
+                    .into(),
+            ));
         }
-        Ok(self.out)
+        if self.decisions.unused() > 0 {
+            return Err(bad(
+                "the program has fewer questions than answers were given".into(),
+            ));
+        }
+        if !self.state.has_moved {
+            return Err(bad(if self.decisions.question.is_some() {
+                "the first question comes before the first motion; put a step with go before it"
+            } else {
+                "no step moves the arm; add a step with go"
+            }
+            .into()));
+        }
+        Ok(Compiled {
+            asks: self.decisions.question.is_some() || self.decisions.has_asked(),
+            question: self.decisions.question,
+            ..self.out
+        })
     }
 
     fn steps(&mut self, scope: &Scope<'_>, steps: &[Spanned<Action>]) -> Result<(), ProgramError> {
@@ -188,7 +230,20 @@ impl Compiler<'_> {
 
     fn step(&mut self, scope: &Scope<'_>, step: &Spanned<Action>) -> Result<(), ProgramError> {
         let bad = |reason| scope.error(step, reason);
+        if self.decisions.question.is_some() {
+            return Ok(());
+        }
         match step.get_ref() {
+            Action::Choose(choose) => return self.choose(scope, step, choose),
+            Action::While(condition, inner) => {
+                return self.repeat_while(scope, step, condition, inner);
+            }
+            Action::Pick(transfer) => return self.pick(scope, step, transfer),
+            Action::Set(variables) => {
+                self.decisions.variables.extend(variables.clone());
+                return Ok(());
+            }
+            Action::Add(variables) => return self.decisions.add(variables).map_err(bad),
             Action::Repeat(times, inner) => {
                 let Times::Count(count) = times else {
                     return Err(bad(
@@ -203,7 +258,17 @@ impl Compiler<'_> {
         }
         let first = self.out.commands.len();
         self.simple(scope, step.get_ref()).map_err(bad)?;
-        self.limit().map_err(bad)?;
+        self.note_step(scope, step, first)
+    }
+
+    /// Adds a step with the commands from `first` on.
+    fn note_step(
+        &mut self,
+        scope: &Scope<'_>,
+        step: &Spanned<Action>,
+        first: usize,
+    ) -> Result<(), ProgramError> {
+        self.limit().map_err(|reason| scope.error(step, reason))?;
         // A wait before the first motion belongs to the next step.
         if self.out.commands.len() > first {
             self.out.steps.push(CompiledStep {
@@ -302,7 +367,18 @@ impl Compiler<'_> {
             Action::Arc(arc) => self.arc(scope, arc, false),
             Action::Circle(arc) => self.arc(scope, arc, true),
             Action::Drawing(drawing) => self.drawing(scope, drawing),
-            Action::Repeat(..) | Action::Each(..) | Action::Call(_) => Ok(()),
+            Action::Place(transfer) => {
+                let at = self.place(scope, &transfer.at)?;
+                at.map_or(Ok(()), |at| self.transfer(at, transfer, false))
+            }
+            Action::Repeat(..)
+            | Action::Each(..)
+            | Action::Call(_)
+            | Action::Choose(_)
+            | Action::While(..)
+            | Action::Set(_)
+            | Action::Add(_)
+            | Action::Pick(_) => Ok(()),
         }
     }
 
@@ -311,9 +387,10 @@ impl Compiler<'_> {
     }
 
     fn go(&mut self, scope: &Scope<'_>, go: &Go) -> Result<(), String> {
-        let spot = scope
-            .spot(&go.to, &self.state)?
-            .moved(go.offset, &self.state);
+        let Some(spot) = self.place(scope, &go.to)? else {
+            return Ok(());
+        };
+        let spot = spot.moved(go.offset, &self.state);
         self.state.grip(&go.then);
         self.target(emit::target(&spot, go.path, go.then.pause, &self.state))?;
         Ok(())
@@ -469,6 +546,7 @@ fn label(action: &Action) -> String {
         Place::At(crate::Point::Joints([base, rear, fore, _])) => {
             format!("base {base} rear {rear} fore {fore}")
         }
+        Place::External(place) => format!("{:?}", place.from),
     };
     match action {
         Action::Go(go) => format!("go to {}", name(&go.to)),
@@ -484,7 +562,18 @@ fn label(action: &Action) -> String {
         Action::Repeat(..) => "repeat".to_owned(),
         Action::Each(grids, _) => format!("each of {}", grids.join(", ")),
         Action::Call(file) => format!("call {file}"),
+        Action::Choose(choose) => format!("choose: {}", choose.question),
+        Action::Set(variables) => format!("set {}", names(variables)),
+        Action::Add(variables) => format!("add to {}", names(variables)),
+        Action::While(condition, _) => format!("while {condition}"),
+        Action::Pick(transfer) => format!("pick at {}", name(&transfer.at)),
+        Action::Place(transfer) => format!("place at {}", name(&transfer.at)),
     }
+}
+
+fn names(variables: &Variables) -> String {
+    let names: Vec<&str> = variables.keys().map(String::as_str).collect();
+    names.join(", ")
 }
 
 fn here_label(then: &Here) -> String {

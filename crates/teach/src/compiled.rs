@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use dobot_api::{JobKind, JobPause, JobProgram, JobRepeat, NewJob};
+use dobot_api::{JobKind, JobPause, JobProgram, JobRepeat, NewJob, PendingQuestion};
 use dobot_wire::Command;
 
 use crate::Times;
@@ -24,6 +24,10 @@ pub struct Compiled {
     /// softly, or with another tool, speed or grip than it ends with. The number of cycles is then
     /// one more than that of `repeat`.
     pub first_apart: bool,
+    /// The question asked after the last command.
+    pub question: Option<PendingQuestion>,
+    /// Whether the program asks anything while it runs, at least up to here.
+    pub asks: bool,
 }
 
 /// A step of a compiled program.
@@ -79,6 +83,7 @@ impl Compiled {
             program: JobProgram {
                 steps: self.steps.iter().map(|step| step.first).collect(),
                 repeat: self.repeat,
+                asking: None,
             },
         }
     }

@@ -51,6 +51,13 @@ pub(crate) struct Called {
 }
 
 impl Called {
+    /// Returns all called programs, with their paths.
+    pub(crate) fn by_path(&self) -> impl Iterator<Item = (&str, &Program)> {
+        self.programs
+            .iter()
+            .map(|(path, program)| (path.as_str(), program))
+    }
+
     pub(crate) fn get(&self, path: &str) -> Option<&Program> {
         self.programs.get(path)
     }
@@ -94,6 +101,26 @@ impl Called {
                     let grid = grids.first().and_then(|name| program.grids.get(name));
                     once.saturating_mul(grid.map_or(0, crate::Grid::cells))
                 }
+                Action::While(_, inner) => self.steps(program, inner, files, calling, false)?,
+                Action::Choose(choose) => {
+                    let mut most = 0;
+                    for when in &choose.when {
+                        let count = self.steps(program, &when.steps, files, calling, false)?;
+                        most = count.max(most);
+                    }
+                    most
+                }
+                Action::Pick(transfer) => {
+                    let missed = transfer.missed.as_ref();
+                    let count = missed
+                        .map(|missed| self.steps(program, &missed.steps, files, calling, false));
+                    count
+                        .transpose()?
+                        .unwrap_or(0)
+                        .saturating_add(PICK_COMMANDS)
+                }
+                Action::Place(_) => PICK_COMMANDS,
+                Action::Set(_) | Action::Add(_) => 0,
                 Action::Call(file) => {
                     let path = beside(calling.last().map(String::as_str), file);
                     let called = self.call(path, files, calling);
@@ -202,6 +229,8 @@ fn tidy(path: &str) -> String {
 }
 
 const NOT_FOREVER: &str = "an endless repeat is not the last step of the main program; move it to the end, or give it a number";
+/// The commands of a pick or place.
+const PICK_COMMANDS: u64 = 3;
 const MAX_CALL_DEPTH: usize = 32;
 /// The largest number of commands of a job.
 pub(crate) const MAX_COMMANDS: u64 = 1_000_000;

@@ -40,10 +40,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod asking;
 mod axes;
 mod check;
 mod compile;
 mod compiled;
+mod decision;
 mod document;
 mod error;
 mod files;
@@ -57,12 +59,18 @@ mod program_form;
 mod read;
 mod recorded_path;
 mod round;
+mod similar;
 mod step_table;
 mod taught_grid;
 pub mod vendor;
 
+pub use asking::{EXAMPLE_PLACE, continued};
 pub use check::{Problem, Report, check};
 pub use compiled::{Compiled, CompiledStep, barrier_reason};
+pub use decision::{
+    AfterTimeout, AnswerWait, Choose, ChosenBy, Comparison, Condition, ExternalPlace, Missed,
+    Operand, Transfer, Variables, When,
+};
 pub use document::ProgramDocument;
 pub use error::ProgramError;
 pub use files::{Files, NoFiles};
@@ -73,4 +81,5 @@ pub use program::{
 };
 pub use program_form::ProgramForm;
 pub use recorded_path::{RecordedPlace, ToolState, path_steps, simplified};
+pub use similar::nearest;
 pub use taught_grid::TaughtGrid;

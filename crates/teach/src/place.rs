@@ -4,9 +4,10 @@ use std::fmt;
 
 use schemars::JsonSchema;
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{MapAccess, Visitor};
+use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use crate::decision::{AfterTimeout, ExternalPlace};
 use crate::number::perhaps;
 
 /// A place: the name of a point or of a grid (for its current cell), or a point itself.
@@ -17,6 +18,8 @@ pub enum Place {
     Named(String),
     /// Coordinates or angles.
     At(Point),
+    /// A position that is given while the program runs.
+    External(ExternalPlace),
 }
 
 /// A point: coordinates in mm, or joint angles in degrees.
@@ -73,7 +76,7 @@ impl<'de> Visitor<'de> for PlaceVisitor {
     type Value = Place;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("the name of a point, or { x, y, z } or { base, rear, fore }")
+        f.write_str("the name of a point, { x, y, z }, { base, rear, fore } or { from = \"NAME\" }")
     }
 
     fn visit_str<E>(self, name: &str) -> Result<Place, E> {
@@ -81,7 +84,8 @@ impl<'de> Visitor<'de> for PlaceVisitor {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Place, A::Error> {
-        Point::deserialize(MapAccessDeserializer::new(map)).map(Place::At)
+        let table = PointTable::deserialize(MapAccessDeserializer::new(map))?;
+        table.place().map_err(A::Error::custom)
     }
 }
 
@@ -128,15 +132,33 @@ pub(crate) struct PointTable {
     /// The servo's angle in degrees; default 0.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
     servo: Option<f64>,
+    /// In `go`, `pick` and `place`: the name of a position that is given while the program runs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    from: Option<String>,
+    /// How long to wait for that position, in seconds; without it, until it is given.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
+    timeout: Option<f64>,
+    /// What to do after the timeout: `pause` the job (default) or `skip` the step.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    otherwise: Option<AfterTimeout>,
 }
 
 impl TryFrom<PointTable> for Point {
     type Error = String;
 
     fn try_from(table: PointTable) -> Result<Self, String> {
-        let found = table.found();
-        match table {
-            PointTable {
+        match table.place()? {
+            Place::At(point) => Ok(point),
+            _ => Err("a point has from; a position that is given while the program runs is allowed in go, pick and place".into()),
+        }
+    }
+}
+
+impl PointTable {
+    fn place(self) -> Result<Place, String> {
+        let found = self.found();
+        match self {
+            Self {
                 x: Some(x),
                 y: Some(y),
                 z: Some(z),
@@ -146,12 +168,15 @@ impl TryFrom<PointTable> for Point {
                 rear: None,
                 fore: None,
                 servo: None,
-            } => Ok(Self::Cartesian {
+                from: None,
+                timeout: None,
+                otherwise: None,
+            } => Ok(Place::At(Point::Cartesian {
                 position: [x, y, z],
                 rotation,
                 frame,
-            }),
-            PointTable {
+            })),
+            Self {
                 base: Some(base),
                 rear: Some(rear),
                 fore: Some(fore),
@@ -161,15 +186,35 @@ impl TryFrom<PointTable> for Point {
                 z: None,
                 rotation: None,
                 frame: None,
-            } => Ok(Self::Joints([base, rear, fore, servo.unwrap_or(0.0)])),
+                from: None,
+                timeout: None,
+                otherwise: None,
+            } => Ok(Place::At(Point::Joints([
+                base,
+                rear,
+                fore,
+                servo.unwrap_or(0.0),
+            ]))),
+            Self {
+                from: Some(from),
+                timeout,
+                otherwise,
+                x: None,
+                y: None,
+                z: None,
+                rotation: None,
+                frame: None,
+                base: None,
+                rear: None,
+                fore: None,
+                servo: None,
+            } => ExternalPlace::new(from, timeout, otherwise).map(Place::External),
             _ => Err(format!(
-                "a point has {found}; it needs x, y and z (and may have rotation and frame), or base, rear and fore (and may have servo)"
+                "a point has {found}; it needs x, y and z (and may have rotation and frame), or base, rear and fore (and may have servo), or from (and may have timeout and otherwise)"
             )),
         }
     }
-}
 
-impl PointTable {
     /// The keys of the table, for an error.
     fn found(&self) -> String {
         let keys = [
@@ -182,6 +227,9 @@ impl PointTable {
             ("rear", self.rear.is_some()),
             ("fore", self.fore.is_some()),
             ("servo", self.servo.is_some()),
+            ("from", self.from.is_some()),
+            ("timeout", self.timeout.is_some()),
+            ("otherwise", self.otherwise.is_some()),
         ];
         let there: Vec<&str> = keys.iter().filter(|key| key.1).map(|key| key.0).collect();
         if there.is_empty() {

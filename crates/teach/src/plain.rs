@@ -1,5 +1,7 @@
 //! Plain messages for the errors of the TOML and JSON parsers.
 
+use crate::similar::nearest;
+
 /// Rewrites an error message of serde or of the TOML parser in the terms of a program file.
 pub(crate) fn plain(message: &str) -> String {
     let message = message.trim().replace('\n', ", ");
@@ -11,7 +13,7 @@ pub(crate) fn plain(message: &str) -> String {
     }
     if let Some(rest) = message.strip_prefix("unknown field ") {
         return match rest.split_once(", ") {
-            Some((key, allowed)) => format!("the key {key} is unknown; {}", choices(allowed)),
+            Some((key, allowed)) => format!("the key {key} is unknown; {}", meant(key, allowed)),
             None => format!("the key {rest} is unknown"),
         };
     }
@@ -31,6 +33,15 @@ pub(crate) fn plain(message: &str) -> String {
         };
     }
     syntax(&message)
+}
+
+/// The similar one of the allowed names, or all of them.
+fn meant(name: &str, allowed: &str) -> String {
+    let names = allowed.split('`').skip(1).step_by(2);
+    match nearest(name.trim_matches('`'), names) {
+        Some(meant) => format!("did you mean `{meant}`?"),
+        None => choices(allowed),
+    }
 }
 
 /// `expected one of ...` and `there are no fields`, as a list of what is allowed.
@@ -130,6 +141,10 @@ mod tests {
             (
                 "unknown field `way`, expected one of `go`, `path`",
                 "the key `way` is unknown; allowed: `go`, `path`",
+            ),
+            (
+                "unknown field `pth`, expected one of `go`, `path`",
+                "the key `pth` is unknown; did you mean `path`?",
             ),
             (
                 "unknown variant `walk`, expected `jump` or `movl`",

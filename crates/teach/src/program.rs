@@ -8,6 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
+use crate::decision::{Choose, Condition, Transfer, Variables, When};
 use crate::lines::Lines;
 use crate::number::{finite, perhaps};
 use crate::place::{Place, Point};
@@ -42,6 +43,9 @@ pub struct Program {
     /// Grids of places in columns, rows and layers, by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub grids: BTreeMap<String, Grid>,
+    /// The variables with their initial values: whole numbers, by name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub variables: Variables,
     /// The steps, in order.
     #[schemars(with = "Vec<StepTable>")]
     pub steps: Steps,
@@ -88,6 +92,18 @@ pub enum Action {
     Circle(Arc),
     /// Draws a file.
     Drawing(Drawing),
+    /// Asks a question, and executes the steps of the answer.
+    Choose(Choose),
+    /// Sets variables.
+    Set(Variables),
+    /// Adds to variables.
+    Add(Variables),
+    /// Repeats steps while a comparison holds.
+    While(Condition, Steps),
+    /// Picks up an object.
+    Pick(Transfer),
+    /// Puts an object down.
+    Place(Transfer),
 }
 
 /// A move to a place, and the state of the tool there.
@@ -274,6 +290,23 @@ impl Program {
     #[must_use]
     pub fn schema() -> serde_json::Value {
         schemars::schema_for!(Self).to_value()
+    }
+}
+
+impl Action {
+    /// Returns the steps inside it.
+    pub fn inner(&self) -> impl Iterator<Item = &Steps> {
+        let (steps, when): (Option<&Steps>, &[When]) = match self {
+            Self::Repeat(_, steps) | Self::Each(_, steps) | Self::While(_, steps) => {
+                (Some(steps), &[])
+            }
+            Self::Choose(choose) => (None, &choose.when),
+            Self::Pick(transfer) | Self::Place(transfer) => {
+                (transfer.missed.as_ref().map(|missed| &missed.steps), &[])
+            }
+            _ => (None, &[]),
+        };
+        steps.into_iter().chain(when.iter().map(|when| &when.steps))
     }
 }
 

@@ -12,6 +12,7 @@ use crate::number::within;
 use crate::place::{Place, Point};
 use crate::plain::plain;
 use crate::program::{Frame, Grid, MountedTool};
+use crate::similar::nearest;
 use crate::step_table::MIN_SPEED;
 use crate::{Action, Program, ProgramError, Steps};
 
@@ -152,6 +153,28 @@ impl Program {
                     let cells: Vec<&str> = cells.iter().copied().chain(names).collect();
                     self.check_nested(steps, &cells, depth + 1, mistakes);
                 }
+                Action::While(condition, steps) => {
+                    for name in condition.names() {
+                        check(check_name("variable", name, &self.variables));
+                    }
+                    self.check_nested(steps, cells, depth + 1, mistakes);
+                }
+                Action::Set(variables) | Action::Add(variables) => {
+                    for name in variables.keys() {
+                        check(check_name("variable", name, &self.variables));
+                    }
+                }
+                Action::Choose(choose) => {
+                    for when in &choose.when {
+                        self.check_nested(&when.steps, cells, depth + 1, mistakes);
+                    }
+                }
+                Action::Pick(transfer) | Action::Place(transfer) => {
+                    check(self.check_place(&transfer.at, cells));
+                    if let Some(missed) = &transfer.missed {
+                        self.check_nested(&missed.steps, cells, depth + 1, mistakes);
+                    }
+                }
                 _ => {}
             }
         }
@@ -182,7 +205,7 @@ impl Program {
             Place::At(Point::Cartesian {
                 frame: Some(frame), ..
             }) => check_name("frame", frame, &self.frames),
-            Place::At(_) => Ok(()),
+            Place::At(_) | Place::External(_) => Ok(()),
         }
     }
 }
@@ -190,6 +213,11 @@ impl Program {
 fn check_name<T>(kind: &str, name: &str, known: &BTreeMap<String, T>) -> Result<(), String> {
     if known.contains_key(name) {
         return Ok(());
+    }
+    if let Some(meant) = nearest(name, known.keys().map(String::as_str)) {
+        return Err(format!(
+            "there is no {kind} {name:?}; did you mean {meant:?}?"
+        ));
     }
     let names: Vec<&str> = known.keys().take(MAX_NAMES).map(String::as_str).collect();
     let more = if known.len() > MAX_NAMES {
@@ -215,6 +243,7 @@ fn value_errors(text: &str, lines: &Lines, first: &toml::de::Error) -> ProgramEr
         ProgramError::at(start.map(|start| lines.at(start)), plain(error.message()))
     };
     let mut mistakes = Vec::new();
+    let mut has_shapes = false;
     if let Ok(document) = DeTable::parse(text) {
         for (key, value) in document.into_inner() {
             let line = lines.at(key.span().start);
@@ -223,11 +252,20 @@ fn value_errors(text: &str, lines: &Lines, first: &toml::de::Error) -> ProgramEr
                 ("points", DeValue::Table(points)) => errors_in::<Point>(values(points)),
                 ("frames", DeValue::Table(frames)) => errors_in::<Frame>(values(frames)),
                 ("grids", DeValue::Table(grids)) => errors_in::<Grid>(values(grids)),
-                ("steps", DeValue::Array(steps)) => errors_in::<Action>(steps),
+                ("steps", DeValue::Array(steps)) => {
+                    let known = mistakes.len();
+                    shape_mistakes(&steps, lines, &mut mistakes);
+                    has_shapes = mistakes.len() > known;
+                    if has_shapes {
+                        Vec::new()
+                    } else {
+                        errors_in::<Action>(steps)
+                    }
+                }
                 (key, _) if !KEYS.contains(&key) => {
                     let allowed = KEYS.map(|key| format!("`{key}`")).join(", ");
-                    let reason = format!("the key `{key}` is unknown; allowed: {allowed}");
-                    mistakes.push(ProgramError::at(line, reason));
+                    let message = format!("unknown field `{key}`, expected one of {allowed}");
+                    mistakes.push(ProgramError::at(line, plain(&message)));
                     Vec::new()
                 }
                 _ => Vec::new(),
@@ -236,11 +274,71 @@ fn value_errors(text: &str, lines: &Lines, first: &toml::de::Error) -> ProgramEr
             mistakes.extend(errors.map(|(start, error)| mistake(error, Some(*start))));
         }
     }
+    let commas = decimal_commas(text);
+    if let Some(error) = ProgramError::merge(commas) {
+        return error;
+    }
     let first = mistake(first, None);
-    if mistakes.iter().all(|known| known.reason != first.reason) {
+    if !has_shapes && mistakes.iter().all(|known| known.reason != first.reason) {
         mistakes.push(first.clone());
     }
     ProgramError::merge(mistakes).unwrap_or(first)
+}
+
+/// The numbers with a decimal comma, which no value may have: `x = 200,5`.
+fn decimal_commas(text: &str) -> Vec<ProgramError> {
+    let found = text.lines().enumerate().filter_map(|(index, line)| {
+        let number = line.split('=').skip(1).find_map(comma_number)?;
+        let point = number.replace(',', ".");
+        let reason =
+            format!("the number {number} has a decimal comma; write {point}, with a point");
+        Some(ProgramError::at(index + 1, reason))
+    });
+    found.collect()
+}
+
+/// The number with a comma at the start of a text: `200,5, y`.
+fn comma_number(text: &str) -> Option<&str> {
+    let text = text.trim_start();
+    let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+    let sign = usize::from(text.starts_with(['-', '+']));
+    let whole = digits(&text[sign..]);
+    let rest = text[sign + whole..].strip_prefix(',')?;
+    let decimals = digits(rest);
+    (whole > 0 && decimals > 0).then(|| &text[..sign + whole + 1 + decimals])
+}
+
+/// The steps whose value lacks its table: `speed = 50`.
+fn shape_mistakes(steps: &[Spanned<DeValue<'_>>], lines: &Lines, mistakes: &mut Vec<ProgramError>) {
+    for step in steps {
+        let DeValue::Table(step) = step.get_ref() else {
+            continue;
+        };
+        for (key, value) in step {
+            let line = lines.at(key.span().start);
+            let written = match (&**key.get_ref(), value.get_ref()) {
+                ("speed", DeValue::Integer(percent)) => {
+                    format!("speed = {{ percent = {} }}", percent.as_str())
+                }
+                ("speed", DeValue::Float(percent)) => {
+                    format!("speed = {{ percent = {} }}", percent.as_str())
+                }
+                ("drawing", DeValue::String(file)) => {
+                    format!(
+                        "drawing = {{ file = {file:?}, pen_down = HEIGHT }}, with the height of the wrist in mm"
+                    )
+                }
+                ("steps" | "when", DeValue::Array(inner)) => {
+                    shape_mistakes(inner, lines, mistakes);
+                    continue;
+                }
+                _ => continue,
+            };
+            let key = key.get_ref();
+            let reason = format!("{key} needs a table; write {written}");
+            mistakes.push(ProgramError::at(line, reason));
+        }
+    }
 }
 
 fn values(table: DeTable<'_>) -> impl Iterator<Item = Spanned<DeValue<'_>>> {
@@ -290,13 +388,14 @@ fn deep_line(text: &str) -> Option<usize> {
 }
 
 /// The keys of a program.
-const KEYS: [&str; 7] = [
+const KEYS: [&str; 8] = [
     "title",
     "start_speed_percent",
     "tools",
     "points",
     "frames",
     "grids",
+    "variables",
     "steps",
 ];
 /// 64 MiB: a program of 1,000,000 steps.

@@ -2,18 +2,20 @@
 
 use std::fmt;
 
+use dobot_api::AnsweredBy;
 use dobot_wire::MovingMode;
 use schemars::JsonSchema;
 use serde::de::{Error, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use crate::decision::{ChooseKeys, Condition, Missed, Transfer, TransferKeys, Variables, When};
 use crate::number::{perhaps, within};
 use crate::place::Place;
 use crate::program::{Action, Arc, Drawing, Go, Here, Offset, Speed, Steps, Times};
 
-/// A step. Exactly one of `go`, `laser`, `wait`, `barrier`, `speed`, `tool`, `repeat`, `each`,
-/// `call`, `arc`, `circle` and `drawing` selects the action; a step with only `suction`, `gripper`
-/// and `pause` acts at the current position.
+/// A step. Exactly one of `go`, `pick`, `place`, `laser`, `wait`, `barrier`, `speed`, `tool`,
+/// `repeat`, `each`, `while`, `choose`, `set`, `add`, `call`, `arc`, `circle` and `drawing` selects
+/// the action; a step with only `suction`, `gripper` and `pause` acts at the current position.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 #[schemars(rename = "Step")]
@@ -74,6 +76,53 @@ pub(crate) struct StepTable {
     /// Draws a file.
     #[serde(skip_serializing_if = "Option::is_none")]
     drawing: Option<Drawing>,
+    /// Asks this question of 1 to 200 characters, and executes the steps of the answer in `when`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    choose: Option<String>,
+    /// Who answers `choose`: `person` (default), or `seen`: also a camera or another program.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    by: Option<AnsweredBy>,
+    /// Instead of `by`: a counter answers `choose`. Every such time gets the first answer, all
+    /// others the second one, or nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1, max = 1_000_000))]
+    every: Option<u64>,
+    /// How long `choose` waits for the answer, in seconds; without it, until it is answered.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
+    timeout: Option<f64>,
+    /// The answer after the timeout; without it, the job is paused.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    otherwise: Option<String>,
+    /// The answers of `choose`, each with its steps.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    when: Option<Vec<When>>,
+    /// Sets variables to whole numbers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    set: Option<Variables>,
+    /// Adds whole numbers to variables.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    add: Option<Variables>,
+    /// Repeats `steps` while this comparison holds, for example `count < 5`.
+    #[serde(rename = "while", skip_serializing_if = "Option::is_none")]
+    condition: Option<Condition>,
+    /// Picks up the object at a place: from above, down in a straight line, and up again.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pick: Option<Place>,
+    /// Puts the object down at a place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    place: Option<Place>,
+    /// The height above the place from which `pick` and `place` come, 0 to 300 mm; default 20.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
+    approach: Option<f64>,
+    /// The height above the place to which they go afterwards, 0 to 300 mm; default: `approach`.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
+    retreat: Option<f64>,
+    /// The time to hold or release the object, 0 to 60 seconds; default 0.3.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
+    settle: Option<f64>,
+    /// What `pick` does if nothing was picked up, as a person or a camera tells.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    on_missed: Option<Missed>,
 }
 
 impl TryFrom<StepTable> for Action {
@@ -128,12 +177,30 @@ impl StepTable {
             ("arc", self.arc.is_some()),
             ("circle", self.circle.is_some()),
             ("drawing", self.drawing.is_some()),
+            ("choose", self.choose.is_some()),
+            ("by", self.by.is_some()),
+            ("every", self.every.is_some()),
+            ("timeout", self.timeout.is_some()),
+            ("otherwise", self.otherwise.is_some()),
+            ("when", self.when.is_some()),
+            ("set", self.set.is_some()),
+            ("add", self.add.is_some()),
+            ("while", self.condition.is_some()),
+            ("pick", self.pick.is_some()),
+            ("place", self.place.is_some()),
+            ("approach", self.approach.is_some()),
+            ("retreat", self.retreat.is_some()),
+            ("settle", self.settle.is_some()),
+            ("on_missed", self.on_missed.is_some()),
         ];
         keys.iter().filter(|key| key.1).map(|key| key.0).collect()
     }
 
     fn action(&mut self, verb: &str) -> Result<Action, String> {
         let then = self.then()?;
+        if let Some(decision) = self.decision(verb) {
+            return decision;
+        }
         let Self {
             go,
             laser,
@@ -188,6 +255,67 @@ impl StepTable {
             .flatten()
             .next()
             .unwrap_or(Ok(Action::Here(then)))
+    }
+
+    /// The actions that decide, and those that grip.
+    fn decision(&mut self, verb: &str) -> Option<Result<Action, String>> {
+        if let Some(question) = self.choose.take() {
+            let keys = ChooseKeys {
+                by: self.by,
+                every: self.every,
+                timeout: self.timeout,
+                otherwise: self.otherwise.take(),
+                when: self.when.take(),
+            };
+            let question = checked_text("choose", question, MAX_MESSAGE_LEN);
+            return Some(question.and_then(|question| keys.choose(question).map(Action::Choose)));
+        }
+        if let Some(condition) = self.condition.take() {
+            let steps = nested(verb, &mut self.steps);
+            return Some(steps.map(|steps| Action::While(condition, steps)));
+        }
+        for (variables, action) in [
+            (self.set.take(), Action::Set as fn(Variables) -> Action),
+            (self.add.take(), Action::Add),
+        ] {
+            match variables {
+                Some(variables) if variables.is_empty() => {
+                    return Some(Err(format!(
+                        "{verb} is empty; name a variable, as {{ count = 1 }}"
+                    )));
+                }
+                Some(variables) => return Some(Ok(action(variables))),
+                None => {}
+            }
+        }
+        let (at, action) = match (self.pick.take(), self.place.take()) {
+            (Some(at), _) => (at, Action::Pick as fn(Transfer) -> Action),
+            (None, Some(at)) => (at, Action::Place as fn(Transfer) -> Action),
+            (None, None) => return None,
+        };
+        let keys = TransferKeys {
+            path: self.path,
+            approach: self.approach,
+            retreat: self.retreat,
+            settle: self.settle,
+            gripper: self.gripper,
+            on_missed: self.on_missed.take(),
+        };
+        Some(keys.transfer(at).map(action))
+    }
+
+    /// The table of a `pick` or `place`.
+    fn of_transfer(transfer: Transfer) -> Self {
+        let keys = TransferKeys::of(transfer);
+        Self {
+            path: keys.path,
+            approach: keys.approach,
+            retreat: keys.retreat,
+            settle: keys.settle,
+            gripper: keys.gripper,
+            on_missed: keys.on_missed,
+            ..Self::default()
+        }
     }
 
     fn then(&self) -> Result<Here, String> {
@@ -275,6 +403,39 @@ impl From<Action> for StepTable {
             Action::Drawing(drawing) => Self {
                 drawing: Some(drawing),
                 ..empty
+            },
+            Action::Choose(choose) => {
+                let keys = ChooseKeys::of(&choose);
+                Self {
+                    choose: Some(choose.question),
+                    by: keys.by,
+                    every: keys.every,
+                    timeout: keys.timeout,
+                    otherwise: keys.otherwise,
+                    when: keys.when,
+                    ..empty
+                }
+            }
+            Action::Set(variables) => Self {
+                set: Some(variables),
+                ..empty
+            },
+            Action::Add(variables) => Self {
+                add: Some(variables),
+                ..empty
+            },
+            Action::While(condition, steps) => Self {
+                condition: Some(condition),
+                steps: Some(steps),
+                ..empty
+            },
+            Action::Pick(transfer) => Self {
+                pick: Some(transfer.at.clone()),
+                ..Self::of_transfer(transfer)
+            },
+            Action::Place(transfer) => Self {
+                place: Some(transfer.at.clone()),
+                ..Self::of_transfer(transfer)
             },
         }
     }
@@ -454,7 +615,17 @@ fn beside(verb: &str) -> &'static [&'static str] {
     match verb {
         "go" => &["path", "offset", "suction", "gripper", "pause"],
         "here" => &["suction", "gripper", "pause"],
-        "repeat" | "each" => &["steps"],
+        "repeat" | "each" | "while" => &["steps"],
+        "choose" => &["by", "every", "timeout", "otherwise", "when"],
+        "pick" => &[
+            "path",
+            "approach",
+            "retreat",
+            "settle",
+            "gripper",
+            "on_missed",
+        ],
+        "place" => &["path", "approach", "retreat", "settle", "gripper"],
         _ => &[],
     }
 }
@@ -466,11 +637,11 @@ fn allowed(keys: &[&str]) -> String {
     keys.join(", ")
 }
 
-const VERBS: [&str; 12] = [
+const VERBS: [&str; 18] = [
     "go", "laser", "wait", "barrier", "speed", "tool", "repeat", "each", "call", "arc", "circle",
-    "drawing",
+    "drawing", "choose", "set", "add", "while", "pick", "place",
 ];
-const ONE_OF: &str = "it needs one of go, suction, gripper, pause, laser, wait, barrier, speed, tool, repeat, each, call, arc, circle and drawing";
+const ONE_OF: &str = "it needs one of go, pick, place, suction, gripper, pause, laser, wait, barrier, speed, tool, repeat, each, while, choose, set, add, call, arc, circle and drawing";
 const FOREVER: &str = "forever";
 const MAX_MESSAGE_LEN: usize = 200;
 const MAX_BARRIER_LEN: usize = 40;

@@ -272,6 +272,8 @@ export const en = {
   "job.count": "{done} of {all} commands",
   "job.pause": "Pause",
   "job.resume": "Resume",
+  "job.asks_place": "Where is {name}? Tip of the tool, in mm",
+  "job.give_place": "Continue there",
   "job.speed": "Speed",
   "job.height": "Height",
   "job.as_planned": "as planned",

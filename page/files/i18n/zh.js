@@ -273,6 +273,8 @@ export const zh = {
   "job.count": "{done}/{all} 条命令",
   "job.pause": "暂停",
   "job.resume": "继续",
+  "job.asks_place": "{name} 在哪里？工具尖端的位置，毫米",
+  "job.give_place": "去那里",
   "job.speed": "速度",
   "job.height": "高度",
   "job.as_planned": "按计划",

@@ -1,6 +1,6 @@
 //! Jobs: drawings and programs.
 
-use dobot_api::{JobPhase, JobView, NewJob, RemoteError, Request, State, StationEvent};
+use dobot_api::{JobPhase, JobView, NewJob, PendingQuestion, Request, State, StationEvent};
 use dobot_draw::{DrawingRequest, WITHOUT_ARM_Z_MM};
 use dobot_host::{JobWatch, PlannedFor, drawing_job};
 use dobot_motion::burns;
@@ -48,6 +48,7 @@ impl Session {
     /// Converts a program to a job for this arm, and runs it.
     pub(super) async fn run(&mut self, run: Run, reports: &Sender<Report>) -> Result<(), Failure> {
         let (state, arm) = self.planned_for().await?;
+        self.asks = run.asks;
         let making = tokio::task::spawn_blocking(move || run.job(&arm));
         let job = making.await.map_err(|error| failed(error.to_string()))?;
         let job = job.map_err(|error| Failure::Refused(Box::new(error)))?;
@@ -147,19 +148,56 @@ impl Session {
         }
     }
 
+    /// Asks the question of a program, and sends its answer. Time stands still meanwhile on a virtual
+    /// arm of this process.
+    async fn answer(
+        &mut self,
+        job: u64,
+        question: Option<&PendingQuestion>,
+        reports: &Sender<Report>,
+    ) -> Result<(), Failure> {
+        let Some(pending) = question else {
+            return Ok(());
+        };
+        if !self.asks {
+            if self.client.virtual_arm().is_some() && pending.otherwise.is_none() {
+                return Err(failed(format!(
+                    "the program asks: {}; give `run` a function `ask` that answers",
+                    pending.question
+                )));
+            }
+            return Ok(());
+        }
+        let text =
+            serde_json::to_string(&pending.question).map_err(|error| failed(error.to_string()))?;
+        reports.send(Report::Question(text));
+        let Some(answer) = self.answers.recv().await else {
+            return Err(Failure::Closed);
+        };
+        self.client
+            .request(Request::AnswerJob { job, answer })
+            .await?;
+        Ok(())
+    }
+
     /// Waits until the job stops running.
     async fn follow(
         &mut self,
         job: u64,
         reports: &Sender<Report>,
-    ) -> Result<(JobPhase, String), RemoteError> {
+    ) -> Result<(JobPhase, String), Failure> {
         let mut watch = JobWatch::new(job);
+        let mut asked = None;
         loop {
             match self.client.next().await? {
                 StationEvent::State(state) => {
                     publish(&self.subscribers, &state);
                     if let Some(view) = state.job.as_ref().filter(|view| view.job == job) {
                         reports.send(Report::Progress(progress(view)));
+                        if asked != view.question {
+                            asked.clone_from(&view.question);
+                            self.answer(job, asked.as_ref(), reports).await?;
+                        }
                     }
                 }
                 StationEvent::Notice(notice) => {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::anyhow;
-use dobot_host::dry_run;
+use dobot_host::dry_run_program;
 use dobot_teach::Program;
 use serde_json::json;
 
@@ -44,8 +44,10 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         )?)?);
     };
     let (arm, arm_line) = args.to.planned_for("check").await?;
-    let compiled = program_file::compile(file, &arm)?;
-    let report = dry_run(&compiled, &arm);
+    let program = program_file::read_program(file)?;
+    let (program, _) = program_file::compile_times(file, &program, None, &arm)?;
+    let mut files = program_file::files_beside(file, &arm);
+    let (compiled, report) = dry_run_program(&program, &arm, &mut files)?;
     if args.json {
         output::json(&json!({
             "arm": arm_line,

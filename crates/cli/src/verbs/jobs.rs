@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use anyhow::{Context, anyhow};
 use clap::Subcommand;
-use dobot_api::{JobPhase, JobView, NewJob, Reply, Request, Role};
+use dobot_api::{Answer, AnsweredBy, JobPhase, JobView, NewJob, Question, Reply, Request, Role};
 use dobot_host::StationClient;
 
 use crate::connect::To;
@@ -15,6 +15,7 @@ use crate::control::{self, arm_laser, check_pose, take_control};
 use crate::failure::Failure;
 use crate::follow::{self, place};
 use crate::output::{self, clock, time_left};
+use crate::questions;
 use crate::values;
 
 /// List, start, pause and cancel jobs
@@ -25,6 +26,8 @@ Examples:
   dobot jobs show 4
   dobot jobs start 4                    start or resume it, and follow it
   dobot jobs step 4                     run its next step, then pause
+  dobot jobs answer 4 red               answer the question of its program
+  dobot jobs answer 4 --at 200 50 -20   give it a position
   dobot jobs pause                      pause the running job, with the tool lifted
   dobot jobs speed 150                  150 % of the planned speed
   dobot jobs height -0.2                0.2 mm lower, if the pen leaves no ink
@@ -75,6 +78,20 @@ enum Action {
         /// Job number
         #[arg(value_parser = values::whole_from(0))]
         job: u64,
+        #[command(flatten)]
+        person: Person,
+    },
+    /// Answer the question of the running program
+    Answer {
+        /// Job number
+        #[arg(value_parser = values::whole_from(0))]
+        job: u64,
+        /// One of the possible answers
+        #[arg(required_unless_present = "at")]
+        answer: Option<String>,
+        /// Position of the tool's tip, in mm, and its rotation, in degrees (default: 0)
+        #[arg(long, num_args = 3..=4, value_names = ["X", "Y", "Z", "ROTATION"], conflicts_with = "answer", allow_negative_numbers = true, value_parser = values::finite)]
+        at: Option<Vec<f64>>,
         #[command(flatten)]
         person: Person,
     },
@@ -137,8 +154,56 @@ struct Person {
 }
 
 impl Person {
+    /// Parses the answer to the question of a job. One that only a person may answer needs a
+    /// terminal, or an administrator who confirms that.
+    async fn answer(
+        self,
+        station: &mut StationClient,
+        job: u64,
+        text: &str,
+    ) -> Result<Answer, Failure> {
+        self.check_role(station)?;
+        let view = control::first_state(station).await?.job;
+        let view = view.filter(|view| view.job == job);
+        let Some(pending) = view.and_then(|view| view.question) else {
+            return Err(Failure::new(
+                anyhow!("job {job} does not wait for an answer now"),
+                "run `dobot jobs` to list the jobs and their questions",
+            ));
+        };
+        let is_for_person = matches!(
+            pending.question,
+            Question::Choice {
+                by: AnsweredBy::Person,
+                ..
+            }
+        );
+        if is_for_person && !self.is_there(station) {
+            return Err(Failure::new(
+                anyhow!("only a person may answer: {}", pending.question),
+                "answer in a terminal, on the page, or as an administrator with --as-person",
+            ));
+        }
+        questions::parse(&pending.question, text).map_err(|reason| Failure::usage(anyhow!(reason)))
+    }
+
+    /// Returns whether a person is present.
+    fn is_there(self, station: &StationClient) -> bool {
+        // A virtual arm in this process is harmless.
+        self.as_person || stdin().is_terminal() || station.virtual_arm().is_some()
+    }
+
     /// Confirms what a job waits for if a person is present; otherwise its start is refused.
     async fn confirm(self, station: &mut StationClient, job: u64) -> Result<(), Failure> {
+        self.check_role(station)?;
+        if self.is_there(station) {
+            take_control(station).await?;
+            follow::confirm(station, job).await?;
+        }
+        Ok(())
+    }
+
+    fn check_role(self, station: &StationClient) -> Result<(), Failure> {
         if self.as_person && station.role() < Role::Admin {
             return Err(Failure::new(
                 anyhow!(
@@ -147,11 +212,6 @@ impl Person {
                 ),
                 "use an administrator's token, or start the job in a terminal or on the page",
             ));
-        }
-        // A virtual arm in this process is harmless.
-        if self.as_person || stdin().is_terminal() || station.virtual_arm().is_some() {
-            take_control(station).await?;
-            follow::confirm(station, job).await?;
         }
         Ok(())
     }
@@ -173,6 +233,20 @@ async fn act(station: &mut StationClient, args: &Args, action: Action) -> Result
             person,
         } => return start(station, args, job, arm_laser, person).await,
         Action::Step { job, person } => return step(station, args, job, person).await,
+        Action::Answer {
+            job,
+            answer,
+            at,
+            person,
+        } => {
+            let numbers: Vec<String> = at.iter().flatten().map(f64::to_string).collect();
+            let text = answer.unwrap_or_else(|| numbers.join(" "));
+            let answer = person.answer(station, job, &text).await?;
+            (
+                Request::AnswerJob { job, answer },
+                format!("job {job} continues"),
+            )
+        }
         Action::Pause => (Request::PauseJob, "the job is paused".to_owned()),
         Action::Speed { percent } => {
             let done = "the speed of the job is changed".to_owned();
@@ -334,7 +408,10 @@ fn line(job: &JobView) -> String {
     } else {
         time_left(job.left_s)
     };
-    let reason = job.reason.as_ref().map(|reason| format!(": {reason}"));
+    let asks = job.question.as_ref();
+    let asks = asks.map(|pending| format!("asks: {}", pending.question));
+    let reason = job.reason.as_ref().or(asks.as_ref());
+    let reason = reason.map(|reason| format!(": {reason}"));
     let place = job
         .program
         .as_ref()

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use dobot_api::NewJob;
-use dobot_host::{DryRun, PlannedFor, StationClient, dry_run};
+use dobot_host::{DryRun, PlannedFor, StationClient, dry_run, dry_run_program};
 use dobot_teach::{Compiled, Program, Times};
 use serde::Serialize;
 
@@ -110,15 +110,21 @@ struct Planned {
 
 impl Planned {
     fn new(args: &Args, program: &Program, arm: &PlannedFor) -> Result<Self, Failure> {
-        let mut compiled = program_file::compile_read(&args.program, program, arm)?;
-        if let Some(times) = times(args) {
-            compiled.repeat(times);
-        }
-        let compiled = match args.from {
-            Some(step) => from_step(&compiled, step, &args.program)?,
-            None => compiled,
+        let file = &args.program;
+        let (program, compiled) = program_file::compile_times(file, program, times(args), arm)?;
+        let mut files = program_file::files_beside(file, arm);
+        let from = args
+            .from
+            .map_or(0, |step| usize::try_from(step - 1).unwrap_or(usize::MAX));
+        let job = program.job(&compiled, from, &mut files)?;
+        let job = job.ok_or_else(|| no_step(&compiled, from + 1, file))?;
+        let (compiled, dry_run) = if compiled.asks {
+            dry_run_program(&program, arm, &mut files)?
+        } else {
+            let compiled = compiled.from_step(from).unwrap_or(compiled);
+            let dry_run = dry_run(&compiled, arm);
+            (compiled, dry_run)
         };
-        let dry_run = dry_run(&compiled, arm);
         let problems: Vec<String> = dry_run.problems.iter().map(ToString::to_string).collect();
         if !problems.is_empty() {
             let (file, count) = (args.program.display(), problems.len());
@@ -126,7 +132,7 @@ impl Planned {
             return Err(anyhow!("{file} has {count}:\n{}", problems.join("\n")).into());
         }
         Ok(Self {
-            job: compiled.job(),
+            job,
             compiled,
             dry_run,
         })
@@ -170,14 +176,14 @@ fn times(args: &Args) -> Option<Times> {
     count.or_else(|| args.forever.then_some(Times::Forever))
 }
 
-/// Returns a program from a step on, counted from 1.
-fn from_step(program: &Compiled, step: u64, file: &Path) -> Result<Compiled, Failure> {
-    let rest = usize::try_from(step - 1)
-        .ok()
-        .and_then(|index| program.from_step(index));
-    rest.ok_or_else(|| {
-        let (file, steps) = (file.display(), program.steps.len());
-        let steps = output::count(steps, "step");
-        Failure::usage(anyhow!("{file} has {steps}, and --from is {step}"))
-    })
+/// The failure for a step that does not exist, counted from 1.
+fn no_step(program: &Compiled, step: usize, file: &Path) -> Failure {
+    let (file, steps) = (file.display(), program.steps.len());
+    let steps = output::count(steps, "step");
+    let before = if program.asks {
+        " before its first question"
+    } else {
+        ""
+    };
+    Failure::usage(anyhow!("{file} has {steps}{before}, and --from is {step}"))
 }

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::read::nearest;
+use dobot_teach::nearest;
 
 /// The error returned when a materials file is invalid.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use dobot_plan::{DrawingTool, Laser, Pen};
+use dobot_teach::nearest;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -230,28 +231,6 @@ impl Range {
         let Self(least, most, unit) = self;
         format!("a number from {least} to {most} {unit}")
     }
-}
-
-/// Returns the name most similar to `name`, if one is similar enough.
-pub(super) fn nearest<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let least = names.map(|other| (edits(name, other), other)).min()?;
-    // If half of the letters are wrong it is not a typing error.
-    (least.0 * 2 < name.chars().count()).then_some(least.1)
-}
-
-/// Returns the number of letters to insert, remove or change to turn one word into the other.
-fn edits(from: &str, to: &str) -> usize {
-    let to: Vec<char> = to.chars().collect();
-    let mut row: Vec<usize> = (0..=to.len()).collect();
-    for (i, a) in from.chars().enumerate() {
-        let mut corner = std::mem::replace(&mut row[0], i + 1);
-        for (j, &b) in to.iter().enumerate() {
-            let change = corner + usize::from(a != b);
-            corner = row[j + 1];
-            row[j + 1] = change.min(corner + 1).min(row[j] + 1);
-        }
-    }
-    row[to.len()]
 }
 
 /// Returns the line of an offset in a text, counted from 1.

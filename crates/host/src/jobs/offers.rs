@@ -92,6 +92,7 @@ fn forgotten(job: u64, state: &JobState) -> JobView {
         speed_percent: 100.0,
         height_mm: 0.0,
         program: None,
+        question: None,
     }
 }
 

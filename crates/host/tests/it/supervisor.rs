@@ -18,6 +18,7 @@ mod pauses;
 mod people;
 mod policies;
 mod programs;
+mod questions;
 mod releases;
 mod resumed;
 mod slots;

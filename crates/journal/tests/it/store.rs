@@ -3,9 +3,10 @@
 use std::fs;
 
 use crate::lab::{START, job, vector};
-use dobot_api::{JobPause, JobState};
+use dobot_api::{Answer, AskingProgram, JobPause, JobProgram, JobState};
 use dobot_journal::{
-    Adjustment, HeightChange, JobHistory, JobId, Journal, JournalError, PlannedJob, Window,
+    Adjustment, HeightChange, JobExtension, JobHistory, JobId, Journal, JournalError, PlannedJob,
+    Window,
 };
 use dobot_wire::{Command, Configuration, Dialect, Status};
 use proptest::prelude::*;
@@ -43,6 +44,69 @@ fn a_job_survives_closing_and_opening_the_file() {
     assert_eq!(found.created_ms, wanted.created_ms);
     assert_eq!(found.commands, wanted.commands.len());
     assert_eq!(found.state, paused);
+}
+
+#[test]
+fn a_running_job_gets_the_commands_that_follow_an_answer() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("journal.redb");
+    let (mut wanted, mut longer) = (job("sorting", 4), job("sorting", 9));
+    wanted.program = asking(&[]);
+    longer.program = asking(&["red"]);
+    longer.pauses.push(JobPause {
+        before: 6,
+        message: "empty the bin".into(),
+    });
+    let extension = JobExtension {
+        commands: longer.commands.clone(),
+        pauses: longer.pauses.clone(),
+        program: longer.program.clone(),
+    };
+    let id = {
+        let journal = Journal::open(&path).unwrap();
+        let id = running(&journal, &wanted);
+        let window = |completed, upto| Window {
+            completed,
+            upto,
+            start: Some(START),
+        };
+        journal.extend_window(id, &window(2, 4)).unwrap();
+        journal.extend_window(id, &window(4, 9)).unwrap_err();
+        journal.extend(id, &extension).unwrap();
+        journal.extend_window(id, &window(4, 9)).unwrap();
+        id
+    };
+    let journal = Journal::open(&path).unwrap();
+    let found = journal.job(id).unwrap();
+    assert_eq!(journal.commands(id).unwrap(), longer.commands);
+    assert_eq!(found.program, longer.program);
+    assert_eq!(found.pauses, longer.pauses);
+
+    let other = JobExtension {
+        commands: longer.commands[1..].to_vec(),
+        ..extension.clone()
+    };
+    let error = journal.extend(id, &other).unwrap_err();
+    assert!(matches!(error, JournalError::Shorter(_)), "{error}");
+    journal.set_state(id, &JobState::Done).unwrap();
+    let error = journal.extend(id, &extension).unwrap_err();
+    assert!(matches!(error, JournalError::NotRunning { .. }), "{error}");
+}
+
+/// A program with these answers.
+fn asking(answers: &[&str]) -> JobProgram {
+    let answers = answers
+        .iter()
+        .map(|answer| Answer::Choice((*answer).to_owned()));
+    JobProgram {
+        steps: vec![0, 2],
+        asking: Some(Box::new(AskingProgram {
+            text: "[[steps]]".into(),
+            answers: answers.collect(),
+            ..AskingProgram::default()
+        })),
+        ..JobProgram::default()
+    }
 }
 
 #[test]
@@ -314,7 +378,7 @@ fn a_journal_of_a_newer_version_is_not_touched() {
     change
         .open_table(FACTS)
         .unwrap()
-        .insert("format", 6)
+        .insert("format", 7)
         .unwrap();
     change.commit().unwrap();
     drop(newer);
@@ -324,8 +388,8 @@ fn a_journal_of_a_newer_version_is_not_touched() {
         matches!(
             error,
             JournalError::Newer {
-                found: 6,
-                known: 5,
+                found: 7,
+                known: 6,
                 ..
             }
         ),

@@ -2,13 +2,13 @@
 
 use std::time::Duration;
 
-use dobot_api::{ClientId, JobPhase, JobView, News, Reply};
+use dobot_api::{Answer, ClientId, JobPhase, JobView, News, Reply};
 use dobot_journal::Window;
 use dobot_session::CommandId;
 use dobot_wire::Status;
 
 use super::Supervisor;
-use super::run::{Run, StartedJob, check_height};
+use super::run::{DueAnswer, Run, StartedJob, check_height};
 use crate::refusal::Refusal;
 
 impl Supervisor {
@@ -66,6 +66,53 @@ impl Supervisor {
         let text = format!("{name} confirmed that job {job} may resume");
         self.notify(News::Message { client }, text);
         Ok(Reply::Done)
+    }
+
+    /// Returns the number of answers so far of a job that waits for another one.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::NoSuchJob`], or [`Refusal::NoQuestion`] if it does not wait for one.
+    pub fn answers_of(&self, job: u64) -> Result<usize, Refusal> {
+        let run = self.run.as_ref().filter(|run| run.job() == job);
+        let run = run.ok_or(Refusal::NoSuchJob(job))?;
+        run.answers().ok_or(Refusal::NoQuestion(job))
+    }
+
+    /// Returns what is due for a question that nobody has answered; call it with each status.
+    pub fn poll_due_answer(&mut self) -> Option<(u64, Answer)> {
+        match self.run.as_ref()?.due_answer(self.arm.now())? {
+            DueAnswer::Answer { job, answer } => Some((job, answer)),
+            DueAnswer::Pause(why) => {
+                // There is a job at work, so this cannot be refused.
+                let _ = self.pause_for(&why);
+                None
+            }
+        }
+    }
+
+    /// Continues a job with the longer program that follows an answer. The journal has it already;
+    /// a job that was paused meanwhile continues with it when it is resumed.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::NoSuchJob`] if it is not the current job any more.
+    pub fn handle_answered(&mut self, now: Duration, longer: StartedJob) -> Result<Reply, Refusal> {
+        self.handle_time(now);
+        let job = longer.job;
+        if self.run.as_ref().is_none_or(|run| run.job() != job) {
+            return Err(Refusal::NoSuchJob(job));
+        }
+        self.with_run(|run, _| Some(run.extend(longer)));
+        self.feed();
+        Ok(self.job_reply())
+    }
+
+    /// Pauses the job, because the answer that is due does not continue it.
+    pub fn handle_bad_answer(&mut self, now: Duration, why: &Refusal) {
+        self.handle_time(now);
+        // If there is no job at work, nothing has to be paused.
+        let _ = self.pause_for(&why.to_string());
     }
 
     /// Restores a job that was running when the station ended unexpectedly: the laser goes off, and

@@ -290,6 +290,7 @@ impl Supervisor {
             | Request::QueueAgain { .. }
             | Request::MoveJob { .. }
             | Request::StartJob { .. }
+            | Request::AnswerJob { .. }
             | Request::StepJob { .. } => Err(Refusal::Malformed(
                 "this request is not accepted here".into(),
             )),

@@ -18,6 +18,7 @@ pub(super) use self::feed::adjust::check_height;
 use self::feed::cycles::CycleTimes;
 use self::feed::permit::Permit;
 use self::feed::speeds::Speeds;
+pub(super) use self::observe::asking::DueAnswer;
 use self::observe::grip_check::UnseenGrip;
 use self::observe::resend::Retries;
 use self::start::approach::straight;
@@ -51,6 +52,8 @@ pub(super) struct Run {
     unseen: Option<UnseenGrip>,
     retries: Retries,
     cycle_times: CycleTimes,
+    /// When it asked the question after its last command.
+    asked_at: Option<Duration>,
 }
 
 /// A job's output for the supervisor.
@@ -191,6 +194,7 @@ impl Run {
             unseen: None,
             retries: Retries::default(),
             cycle_times: CycleTimes::default(),
+            asked_at: None,
         }
     }
 
@@ -387,6 +391,8 @@ impl Run {
             ..
         } = &self.started;
         let counted = completed + back;
+        // How long it takes depends on the answer.
+        let asks = self.started.program.question().is_some();
         JobView {
             job: *job,
             title: title.clone(),
@@ -398,14 +404,16 @@ impl Run {
                 && self.started.waits_for_person().is_some(),
             commands: self.started.commands,
             completed: self.started.program.at(counted, self.started.commands).1,
-            planned_s: plan.planned_s(),
+            planned_s: plan.planned_s().filter(|_| !asks),
             left_s: self
                 .left_s()
+                .filter(|_| !asks)
                 .map(|left_s| left_s * 100.0 / adjustment.speed_percent),
             took_s: None,
             speed_percent: adjustment.speed_percent,
             height_mm: self.started.height_mm(),
             program: self.program_view(counted),
+            question: self.question().cloned(),
         }
     }
 }

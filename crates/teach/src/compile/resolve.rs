@@ -102,6 +102,7 @@ impl Scope<'_> {
                     (None, None) => Err(format!("there is no point {name:?}")),
                 }
             }
+            Place::External(_) => Err(GIVEN_LATER.into()),
         }
     }
 
@@ -119,7 +120,7 @@ impl Scope<'_> {
         Ok(self.spot(&grid.at, state)?.moved(by, state))
     }
 
-    fn point(&self, point: &Point, state: &State) -> Result<Spot, String> {
+    pub(super) fn point(&self, point: &Point, state: &State) -> Result<Spot, String> {
         match point {
             Point::Joints([base, rear, fore, servo]) => {
                 Ok(Spot::joints(Joints::new(*base, *rear, *fore, *servo)))
@@ -164,6 +165,7 @@ impl Scope<'_> {
                 let named = self.program.points.get(name);
                 named.ok_or_else(|| format!("there is no point {name:?}"))?
             }
+            Place::External(_) => return Err(GIVEN_LATER.into()),
         };
         if let Point::Cartesian {
             frame: Some(frame), ..
@@ -177,3 +179,6 @@ impl Scope<'_> {
         Ok(position - Position::new(0.0, 0.0, state.length_mm))
     }
 }
+
+const GIVEN_LATER: &str =
+    "a position that is given while the program runs is allowed in go, pick and place only";

@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod decisions;
 mod documents;
 mod programs;
 mod round_trip;

@@ -200,7 +200,7 @@ fn all_independent_mistakes_are_reported_at_once() {
     let values = "titel = \"x\"\n[points]\na = { x = 1 }\n[grids.g]\nat = \"a\"\nrows = \"two\"\npitch = {}\n[[steps]]\npause = 700\n[[steps]]\ngo = 3";
     let found = error(values, &mut NoFiles);
     let expected = [
-        "line 1: the key `titel` is unknown; allowed: ",
+        "line 1: the key `titel` is unknown; did you mean `title`?",
         " | line 3: a point has x; ",
         " | line 6: found the text \"two\"; expected a whole number of 0 or more",
         " | line 8: pause is 700 s; ",

@@ -4,6 +4,8 @@ use std::fs;
 use std::path::PathBuf;
 use std::time::Duration;
 
+use dobot_api::{Answer, GivenPlace};
+use dobot_arm::Calibration;
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_motion::Model;
 use dobot_safety::Policy;
@@ -31,11 +33,19 @@ fn example(path: &str) -> PathBuf {
 }
 
 fn compiled(program: &str) -> Compiled {
+    answered(program, &[])
+}
+
+/// The commands of a program with these answers.
+fn answered(program: &str, answers: &[Answer]) -> Compiled {
+    read(program)
+        .compile_answered(&Calibration::NONE, &mut ExampleFiles, answers)
+        .unwrap()
+}
+
+fn read(program: &str) -> Program {
     let text = fs::read_to_string(example(&format!("programs/{program}"))).unwrap();
-    Program::from_toml(&text)
-        .unwrap()
-        .compile(&mut ExampleFiles)
-        .unwrap()
+    Program::from_toml(&text).unwrap()
 }
 
 /// The objects after a program executed command by command, and the events besides grips.
@@ -75,9 +85,14 @@ fn carried_out(
 /// The place of each object: x, y and the height of its underside, within half a millimetre.
 #[track_caller]
 fn ends(program: &str, scene: &str, expected: &[(&str, [f64; 3])]) {
-    let compiled = compiled(program);
+    ends_with(&compiled(program), scene, expected);
+}
+
+/// As [`ends`], for a compiled program.
+#[track_caller]
+fn ends_with(compiled: &Compiled, scene: &str, expected: &[(&str, [f64; 3])]) {
     for personality in [Personality::Specification, Personality::Firmware11] {
-        let (objects, surprises) = carried_out(&compiled, scene, personality);
+        let (objects, surprises) = carried_out(compiled, scene, personality);
         assert!(surprises.is_empty(), "{personality}: {surprises:?}");
         for (name, [x, y, bottom]) in expected {
             let object = objects.iter().find(|object| object.name == *name).unwrap();
@@ -151,24 +166,102 @@ fn each_colour_arrives_at_its_place_on_the_tray() {
 }
 
 #[test]
+fn a_pallet_has_three_cubes_in_each_of_three_layers() {
+    let names: Vec<String> = (1..=9).map(|n| format!("cube {n}")).collect();
+    let expected = names.iter().enumerate().map(|(n, name)| {
+        #[expect(clippy::cast_precision_loss, reason = "nine")]
+        let [column, layer] = [n % 3, n / 3].map(|value| value as f64);
+        (name.as_str(), [190.0 + 30.0 * column, -90.0, 20.0 * layer])
+    });
+    let expected: Vec<_> = expected.collect();
+    ends("palletizing.toml", "grid.toml", &expected);
+}
+
+fn choices(answers: &[&str]) -> Vec<Answer> {
+    let choice = |answer: &&str| Answer::Choice((*answer).to_owned());
+    answers.iter().map(choice).collect()
+}
+
+#[test]
+fn each_cube_goes_where_its_colour_belongs() {
+    let program = answered("sorting.toml", &choices(&["red", "yellow", "blue"]));
+    assert_eq!(program.question, None);
+    ends_with(
+        &program,
+        "pick-and-place.toml",
+        &[
+            ("red", [208.0, -80.0, 6.0]),
+            ("yellow", [235.0, -80.0, 6.0]),
+            ("blue", [262.0, -80.0, 6.0]),
+        ],
+    );
+    let program = answered("sorting.toml", &choices(&["none", "blue", "none"]));
+    let stays = ("red", [200.0, 80.0, 0.0]);
+    let moved = ("yellow", [262.0, -80.0, 6.0]);
+    ends_with(&program, "pick-and-place.toml", &[stays, moved]);
+}
+
+#[test]
+fn a_person_decides_about_every_third_cube() {
+    for (answer, third) in [("yes", [250.0, -110.0, 0.0]), ("no", [160.0, -30.0, 0.0])] {
+        let program = answered("quality-gate.toml", &choices(&[answer]));
+        assert_eq!(program.question, None);
+        let [first, second] = [190.0, 220.0].map(|x| [x, -110.0, 0.0]);
+        let expected = [("cube 1", first), ("cube 2", second), ("cube 3", third)];
+        ends_with(&program, "grid.toml", &expected);
+    }
+}
+
+#[test]
+fn parts_are_picked_up_where_they_are_seen() {
+    let seen = [(200.0, 0.0), (240.0, 30.0), (280.0, 0.0)];
+    let [red, yellow, blue] = seen.map(|(x_mm, rotation_deg)| {
+        Answer::Place(GivenPlace {
+            name: Some("part".into()),
+            x_mm,
+            y_mm: 80.0,
+            z_mm: -35.0,
+            rotation_deg,
+        })
+    });
+    let [yes, no] = ["yes", "no"].map(|answer| Answer::Choice(answer.to_owned()));
+    let answers = [&blue, &yes, &red, &no, &red, &yes, &yellow, &yes].map(Clone::clone);
+    let program = answered("conveyor.toml", &answers);
+    assert_eq!(program.question, None);
+    ends_with(
+        &program,
+        "pick-and-place.toml",
+        &[
+            ("blue", [208.0, -80.0, 6.0]),
+            ("red", [235.0, -80.0, 6.0]),
+            ("yellow", [262.0, -80.0, 6.0]),
+        ],
+    );
+}
+
+#[test]
 fn the_sample_programs_have_no_problem_on_either_arm() {
     for program in [
         "pick-and-place.toml",
         "stack.toml",
         "dipping.toml",
         "sort-by-colour.toml",
+        "palletizing.toml",
+        "sorting.toml",
+        "quality-gate.toml",
+        "conveyor.toml",
     ] {
-        for dialect in Dialect::ALL {
-            let report = check(
-                &compiled(program),
-                &Policy::default(),
-                Model::new(dialect, &Status::AT_ZERO),
-            );
-            assert!(
-                report.problems.is_empty(),
-                "{program}: {:#?}",
-                report.problems
-            );
+        let paths = read(program).paths(&Calibration::NONE, &mut ExampleFiles);
+        for path in paths.unwrap() {
+            for dialect in Dialect::ALL {
+                let start = Model::new(dialect, &Status::AT_ZERO);
+                let report = check(&path, &Policy::default(), start);
+                assert!(
+                    report.problems.is_empty(),
+                    "{program}: {:#?}",
+                    report.problems
+                );
+            }
         }
     }
 }

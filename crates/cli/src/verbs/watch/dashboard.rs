@@ -360,6 +360,7 @@ mod tests {
                 speed_percent: 100.0,
                 height_mm: 0.0,
                 program: None,
+                question: None,
             });
         });
         shows(

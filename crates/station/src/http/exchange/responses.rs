@@ -263,11 +263,16 @@ impl FromRequestParts<Arc<App>> for Number {
         let Path(text) = Path::<String>::from_request_parts(parts, app)
             .await
             .map_err(|error| MALFORMED.problem(error.body_text()))?;
-        text.parse().map(Self).map_err(|_| {
-            let text: String = text.chars().take(40).collect();
-            RequestFailed(MALFORMED.problem(format!("{text:?} in the path is not a number")))
-        })
+        number_in_path(&text).map(Self)
     }
+}
+
+/// Parses a number in a path.
+pub(crate) fn number_in_path(text: &str) -> Result<u64, RequestFailed> {
+    text.parse().map_err(|_| {
+        let text: String = text.chars().take(40).collect();
+        RequestFailed(MALFORMED.problem(format!("{text:?} in the path is not a number")))
+    })
 }
 
 /// The number of a job in the path, without a body.

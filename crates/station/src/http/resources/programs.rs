@@ -6,10 +6,10 @@ use std::ops::RangeInclusive;
 use dobot_api::problem_kinds::{BAD_PROGRAM, OUT_OF_RANGE};
 use dobot_api::{NewJob, Problem};
 use dobot_draw::ProgramFiles;
-use dobot_host::{PlannedFor, dry_run};
+use dobot_host::{PlannedFor, ProgramJobError, dry_run_program, program_job};
 use dobot_teach::{
-    Action, Compiled, Files, Point, Program, ProgramDocument, ProgramError, ProgramForm,
-    RecordedPlace, Times, ToolState, check, path_steps, simplified,
+    Action, Files, Point, Program, ProgramDocument, ProgramError, ProgramForm, RecordedPlace,
+    Times, ToolState, path_steps, simplified,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -43,6 +43,9 @@ pub(crate) struct ProgramReport {
     /// The total duration, in seconds; null if it repeats until a person ends it or there are
     /// problems.
     total_s: Option<f64>,
+    /// Whether the program asks while it runs: then steps and durations are those with the first
+    /// answer to each question.
+    depends_on_answers: bool,
 }
 
 /// A step of a program.
@@ -234,8 +237,11 @@ pub(crate) fn convert(
 
 /// Checks a whole program.
 pub(crate) fn report(program: &ProgramText, arm: &PlannedFor) -> ProgramReport {
-    let compiled = match compile(program, arm) {
-        Ok(compiled) => compiled,
+    let mut files = program_files(&program.files, arm);
+    let checked = Program::from_toml(&program.text)
+        .and_then(|program| dry_run_program(&program, arm, &mut files));
+    let (compiled, found) = match checked {
+        Ok(checked) => checked,
         Err(error) => {
             return ProgramReport {
                 problems: vec![ProgramProblem {
@@ -249,7 +255,6 @@ pub(crate) fn report(program: &ProgramText, arm: &PlannedFor) -> ProgramReport {
             };
         }
     };
-    let found = dry_run(&compiled, arm);
     let steps = compiled.steps.iter().zip(&found.steps_s);
     ProgramReport {
         steps: steps
@@ -265,6 +270,7 @@ pub(crate) fn report(program: &ProgramText, arm: &PlannedFor) -> ProgramReport {
         once_s: found.first_s,
         cycle_s: found.cycle_s,
         total_s: found.total_s,
+        depends_on_answers: found.depends_on_answers,
         title: compiled.title,
     }
 }
@@ -282,31 +288,28 @@ fn problem(found: dobot_teach::Problem) -> ProgramProblem {
 /// Returns the job of a program.
 pub(crate) fn job(new: &NewProgram, arm: &PlannedFor) -> Result<NewJob, Problem> {
     let bad = |error: ProgramError| BAD_PROGRAM.problem(error.to_string());
-    let mut compiled = compile(&new.program, arm).map_err(bad)?;
-    if let Some(first) = check(&compiled, &arm.rules.policy, arm.model())
-        .problems
-        .into_iter()
-        .next()
-    {
-        let (step, line, what) = (first.step, first.line, first.message);
-        return Err(BAD_PROGRAM.hinted(format!("step {step} (line {line}): {what}"), first.remedy));
-    }
-    match new.times {
+    let times = match new.times {
         Some(Repeat::Count(0)) => {
             return Err(OUT_OF_RANGE.problem("times is 0; allowed are 1 or more, or forever"));
         }
-        Some(Repeat::Count(count)) => compiled.repeat(Times::Count(count)),
-        Some(Repeat::Forever) => compiled.repeat(Times::Forever),
-        None => {}
-    }
-    let steps = compiled.steps.len();
-    let rest = new.from_step.checked_sub(1);
-    let rest = rest.and_then(|step| compiled.from_step(step));
-    let rest = rest.ok_or_else(|| {
-        let found = new.from_step;
-        OUT_OF_RANGE.problem(format!("from_step is {found}; allowed are 1 to {steps}"))
-    })?;
-    Ok(rest.job())
+        Some(Repeat::Count(count)) => Some(Times::Count(count)),
+        Some(Repeat::Forever) => Some(Times::Forever),
+        None => None,
+    };
+    let program = Program::from_toml(&new.program.text).map_err(bad)?;
+    let mut files = program_files(&new.program.files, arm);
+    let job = program_job(&program, times, new.from_step, arm, &mut files);
+    job.map_err(|error| match error {
+        ProgramJobError::Problems(problems) => {
+            let first = problems.into_iter().next().map(|first| {
+                let (step, line, what) = (first.step, first.line, first.message);
+                BAD_PROGRAM.hinted(format!("step {step} (line {line}): {what}"), first.remedy)
+            });
+            first.unwrap_or_else(|| BAD_PROGRAM.problem("the program has problems"))
+        }
+        error @ ProgramJobError::NoStep { .. } => OUT_OF_RANGE.problem(error.to_string()),
+        error => BAD_PROGRAM.problem(error.to_string()),
+    })
 }
 
 /// Edits the text of a program.
@@ -376,11 +379,6 @@ fn apply(document: &mut ProgramDocument, edit: Edit) -> Result<(), ProgramError>
         Edit::Move { from, to } => document.move_step(&[from], &[to]),
         Edit::SetPoint { name, point } => document.set_point(&name, &point),
     }
-}
-
-fn compile(program: &ProgramText, arm: &PlannedFor) -> Result<Compiled, ProgramError> {
-    let mut files = program_files(&program.files, arm);
-    Program::from_toml(&program.text)?.compile_for(&arm.arm(), &mut files)
 }
 
 /// Returns the files that came with a program.

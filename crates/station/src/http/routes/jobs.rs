@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use axum::Json;
-use axum::extract::State;
+use axum::extract::{Path, State};
 use axum::response::Response;
 use dobot_api::problem_kinds::{
-    BAD_JOB, CANNOT_RESUME, COMMAND, ENDING, JOB_PHASE, JOURNAL, LOCKED, MALFORMED, NEEDS_PERSON,
-    NO_JOB_RUNS, NO_LEASE, NO_SUCH_JOB, OUT_OF_RANGE, POLICY, SLOT, TOO_MANY,
+    BAD_ANSWER, BAD_JOB, CANNOT_RESUME, COMMAND, ENDING, JOB_PHASE, JOURNAL, LOCKED, MALFORMED,
+    NEEDS_PERSON, NO_JOB_RUNS, NO_LEASE, NO_QUESTION, NO_SUCH_JOB, OUT_OF_RANGE, POLICY, SLOT,
+    TOO_MANY,
 };
-use dobot_api::{JobPath, JobView, NewJob, Reply, Request};
+use dobot_api::{Answer, GivenPlace, JobPath, JobView, NewJob, Reply, Request};
 use dobot_supervisor::Refusal;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -18,7 +19,9 @@ use super::{ADJUSTS, DELETE, GET, MOVES, POST, PUT};
 use crate::http::app::App;
 use crate::http::exchange::paging::{PAGES, Page};
 use crate::http::exchange::requester::{Requester, queued};
-use crate::http::exchange::responses::{Body, JOB, Maybe, Nothing, Number, OfJob, RequestFailed};
+use crate::http::exchange::responses::{
+    Body, JOB, Maybe, Nothing, Number, OfJob, RequestFailed, number_in_path,
+};
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
@@ -99,6 +102,36 @@ fn kept() -> Vec<Route> {
     ]
 }
 
+/// An answer to the question of a job.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct ChosenAnswer {
+    /// One of the possible answers.
+    answer: String,
+}
+
+async fn answer(
+    requester: Requester,
+    Number(job): Number,
+    Body(given): Body<ChosenAnswer>,
+) -> Result<Json<Reply>, RequestFailed> {
+    let answer = Answer::Choice(given.answer);
+    requester.ask(Request::AnswerJob { job, answer }).await
+}
+
+async fn give_place(
+    requester: Requester,
+    Path((job, name)): Path<(String, String)>,
+    Body(given): Body<GivenPlace>,
+) -> Result<Json<Reply>, RequestFailed> {
+    let job = number_in_path(&job)?;
+    let answer = Answer::Place(GivenPlace {
+        name: Some(name),
+        ..given
+    });
+    requester.ask(Request::AnswerJob { job, answer }).await
+}
+
 /// Routes for the current or next job.
 fn carried_out() -> Vec<Route> {
     vec![
@@ -118,6 +151,26 @@ fn carried_out() -> Vec<Route> {
             NEEDS_PERSON,
             JOURNAL,
         ]),
+        Route::new(
+            POST,
+            "/api/v1/jobs/{id}/answer",
+            "Answers the question of the running program, which continues with the steps of the answer",
+            answer,
+        )
+        .brings::<Body<ChosenAnswer>>()
+        .example(r#"{"answer": "red"}"#)
+        .gives::<Reply>(200, "the program continues")
+        .problems(&[MALFORMED, NO_SUCH_JOB, NO_QUESTION, BAD_ANSWER, JOURNAL]),
+        Route::new(
+            PUT,
+            "/api/v1/jobs/{id}/places/{name}",
+            "Gives the running program the position that it waits for, if the policy allows it",
+            give_place,
+        )
+        .brings::<Body<GivenPlace>>()
+        .example(r#"{"x_mm": 200, "y_mm": 50, "z_mm": -20}"#)
+        .gives::<Reply>(200, "the program continues")
+        .problems(&[MALFORMED, NO_SUCH_JOB, NO_QUESTION, BAD_ANSWER, JOURNAL]),
         Route::asks(
             POST,
             "/api/v1/jobs/{id}/confirm",

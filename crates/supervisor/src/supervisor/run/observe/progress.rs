@@ -70,7 +70,13 @@ impl Run {
                 let (then, reason) = (*then, reason.clone());
                 self.rest(arm, then, reason)
             }
-            Phase::Running { .. } if self.is_complete() && arm.is_at_rest() => self.finish(arm),
+            Phase::Running { .. } if self.is_complete() && arm.is_at_rest() => {
+                if self.asks() {
+                    self.ask(arm)
+                } else {
+                    self.finish(arm)
+                }
+            }
             _ => Vec::new(),
         }
     }

@@ -73,6 +73,7 @@ impl Run {
         reason: &str,
         rests: RestMode,
     ) -> JobEffect {
+        self.asked_at = None;
         self.phase = Phase::Draining {
             then,
             reason: reason.to_owned(),
