@@ -140,6 +140,7 @@ fn without_a_station_a_check_names_the_assumed_arm() {
 fn the_questions_of_a_program_are_answered_by_a_command_and_over_http() {
     let file = InFile::new(
         r#"
+title = "sides"
 [[steps]]
 go = { x = 220, y = 0, z = 40 }
 [[steps]]
