@@ -12,6 +12,7 @@ import { move } from "./panels/move.js";
 import { setUp } from "./panels/set_up.js";
 import { teach } from "./panels/teach.js";
 import { watch } from "./panels/watch.js";
+import { keepFocus } from "./parts/keep_focus.js";
 import { isDarkTheme, savePreferences, readPreferences } from "./parts/preferences.js";
 import { createStage } from "./stage/stage.js";
 import { recorded } from "./state/recordings.js";
@@ -61,9 +62,10 @@ const store = createStore(begin({ language: languageOf(navigator.languages), the
 const http = createHttp();
 const socket = createSocket({ store, http });
 const setUpRequests = createSetUp(store, http, socket);
-const act = createActions({ store, socket, http, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), lessons: createLessons(store, http), createJobs: (takeControlIfFree) => createJobs(store, http, socket, takeControlIfFree), createTeach: (takeControlIfFree) => createTeach(store, http, socket, takeControlIfFree) });
-const jog = createJog(store, socket, act.takeControlIfFree);
-const pads = createPads(store, socket, act.takeControlIfFree);
+const jobRequests = createJobs(store, http, socket);
+const act = createActions({ store, socket, http, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), lessons: createLessons(store, http), jobs: jobRequests, teach: createTeach(store, http, jobRequests) });
+const jog = createJog(store, socket);
+const pads = createPads(store, socket);
 const stage = createStage(part("stage"));
 const viewOf = createViewOf();
 
@@ -86,6 +88,14 @@ function draw() {
   document.documentElement.dataset.theme = isDark(page) ? "dark" : "light";
   /** @type {Context} */
   const context = { page, t, act, jog, pads, connect: socket.connect, look: (preset) => stage.look(preset) };
+  keepFocus(() => renderAll(context));
+  point(page);
+  drawStage(page, t);
+}
+
+/** @param {Context} context */
+function renderAll(context) {
+  const { page } = context;
   render(statusBar(context), part("strip"));
   render(banners(context), part("banners"));
   render(toasts(context), part("toasts"));
@@ -96,8 +106,6 @@ function draw() {
   render(footer(context), part("foot"));
   drawPanel(context);
   showDialog(/** @type {HTMLDialogElement} */ (part("confirm")), question(context), page.question !== null);
-  point(page);
-  drawStage(page, t);
 }
 
 /** @param {Context} context */

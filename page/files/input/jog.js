@@ -14,9 +14,8 @@ const JOG_MS = 50;
 /**
  * @param {Store} store
  * @param {import("../station/socket.js").Socket} socket
- * @param {() => void} takeControlIfFree takes control if no client has it
  */
-export function createJog(store, socket, takeControlIfFree) {
+export function createJog(store, socket) {
   /** @type {{ by: unknown, axis: Axis, timer: number, speed_percent: () => number } | undefined} */ let held;
 
   /** @param {unknown} by the input that holds @param {Axis} axis @param {() => number} speed_percent of each press */
@@ -24,7 +23,7 @@ export function createJog(store, socket, takeControlIfFree) {
     if (held && held.by === by && held.axis === axis) return;
     release();
     if (blockedReason(store.page)) return;
-    takeControlIfFree();
+    socket.takeControlIfFree();
     const { frame } = store.page.jog;
     const mine = { by, axis, speed_percent, timer: setInterval(press, JOG_MS) };
     held = mine;
@@ -58,7 +57,6 @@ export function createJog(store, socket, takeControlIfFree) {
   async function stepBy(axis, by) {
     const { page } = store;
     if (!page.station?.arm || blockedReason(page)) return;
-    takeControlIfFree();
     const button = /** @type {Schemas["Button"]} */ ({ frame: page.jog.frame, axis });
     store.send({ type: "jog_held", axis });
     store.send({ type: "jog_held", axis: null });

@@ -55,7 +55,7 @@ function time(t, { phase, took_s, left_s, planned_s }) {
   return planned_s == null ? t("jobs.untimed") : t("jobs.takes", { time: formatDuration(t, planned_s) });
 }
 
-/** The actions for a job. @param {Context} context @param {JobView} job @param {readonly JobView[]} waiting */
+/** The actions for a job. The first button changes its meaning with the phase, and stays the same element, which keeps the focus. @param {Context} context @param {JobView} job @param {readonly JobView[]} waiting */
 function acts({ page, t, act }, { job, phase, title }, waiting) {
   const button = (/** @type {string} */ id, /** @type {TextKey} */ word, /** @type {() => void} */ does, strong = false, off = false) => html`
     <button type="button" class="small ${strong ? "strong" : ""}" data-act=${id} aria-label=${`${t(word)}: ${title}`} ?disabled=${off} @click=${does}>${t(word)}</button>`;
@@ -67,12 +67,12 @@ function acts({ page, t, act }, { job, phase, title }, waiting) {
   const end = button("end", "jobs.end", () => act.jobs.end(job));
   switch (phase) {
     case "queued":
-      return html`${button("start", "jobs.start", () => act.jobs.start(job), true, runs)}${moves(-1, "jobs.up", "↑")}${moves(1, "jobs.down", "↓")}${end}`;
+      return [button("start", "jobs.start", () => act.jobs.start(job), true, runs), end, moves(-1, "jobs.up", "↑"), moves(1, "jobs.down", "↓")];
     case "running":
-      return html`${button("pause", "job.pause", () => act.jobs.pause(job))}${end}`;
+      return [button("pause", "job.pause", () => act.jobs.pause(job)), end];
     case "paused":
-      return html`${button("start", "job.resume", () => act.jobs.start(job), true, runs)}${end}`;
+      return [button("start", "job.resume", () => act.jobs.start(job), true, runs), end];
     default:
-      return html`${button("again", "jobs.again", () => void act.jobs.again(job))}${button("forget", "jobs.remove", () => act.jobs.forget(job))}`;
+      return [button("again", "jobs.again", () => void act.jobs.again(job)), button("forget", "jobs.remove", () => act.jobs.forget(job))];
   }
 }

@@ -177,7 +177,7 @@ function runs({ page, t, act }, rows) {
         <button id="teach-loop" type="button" ?disabled=${off || busy} @click=${() => act.teach.run(false, "forever")}>${t("teach.loop")}</button>
         <button id="teach-step" type="button" class="small" ?disabled=${off || busy} @click=${() => act.teach.step()}>${t("teach.one_step")}</button>
         <button id="teach-from" type="button" class="small" ?disabled=${off || busy || page.teach.chosen === null} @click=${() => act.teach.run(true, null)}>${t("teach.from")}</button>
-        ${own && page.station?.job && page.station.job.phase !== "done" ? html`<button id="teach-end" type="button" class="small" @click=${() => act.ask({ type: "cancel_job", job: page.station?.job?.job ?? 0 })}>${t("teach.end")}</button>` : nothing}
+        ${own && page.station?.job && page.station.job.phase !== "done" ? html`<button id="teach-end" type="button" class="small" @click=${() => act.jobs.end(page.station?.job?.job ?? 0)}>${t("teach.end")}</button>` : nothing}
       </div>
       ${own && page.station?.job?.program ? html`<p class="quiet" id="teach-cycle">${t("teach.cycles", { cycles: page.station.job.program.cycles_done, step: page.station.job.program.step, steps: page.station.job.program.steps })}</p>` : nothing}
       ${why && !(own && why === "job_runs") ? html`<p class="quiet">${t(`blocked.${why}`)}</p>` : nothing}

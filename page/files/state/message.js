@@ -28,6 +28,7 @@
  * | { type: "ghost_near", near: import("./types.js").Near | null }
  * | { type: "around", around: import("./state.js").Around | null }
  * | { type: "planned", planned: Page["planned"] }
+ * | { type: "adjusts", open: boolean }
  * | { type: "dialed", percent: number | null }
  * | { type: "pad_refused", detail: string | null }
  * | { type: "greeted" }

@@ -85,6 +85,8 @@ function reduceOwn(page, message) {
       return { ...page, planned: message.planned };
     case "dialed":
       return { ...page, dialed_percent: message.percent };
+    case "adjusts":
+      return { ...page, adjusts: message.open };
     case "pad_refused":
       return { ...page, pad_refused: message.detail };
     case "greeted":

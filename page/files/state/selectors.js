@@ -16,7 +16,7 @@ const OLD_MS = 500;
 /** Age at which a banner reports it. */
 const VERY_OLD_MS = 2000;
 
-/** Why the arm cannot be moved by hand now: the end of a text key. @typedef {"no_connection" | "no_arm" | "locked" | "others_time" | "stopped" | "not_confirmed" | "job_runs" | "others_control" | "watching_only" | "queueing_only"} BlockedReason */
+/** Why the arm cannot be moved by hand now: the end of a text key. @typedef {"no_connection" | "no_arm" | "locked" | "others_time" | "stopped" | "not_confirmed" | "job_starts" | "job_runs" | "others_control" | "watching_only" | "queueing_only"} BlockedReason */
 
 /** @param {Page} page @returns {BlockedReason | null} */
 export function blockedReason(page) {
@@ -29,6 +29,7 @@ export function blockedReason(page) {
   if (othersTime(page)) return "others_time";
   if (station.stop) return "stopped";
   if (!station.trust.trusted) return "not_confirmed";
+  if (page.jobs.starting) return "job_starts";
   if (station.job?.phase === "running") return "job_runs";
   // The first action takes control if it is free.
   if (station.lease && station.lease.client !== me) return "others_control";

@@ -53,6 +53,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {Around | null} around
  * @property {View["planned"]} planned The planned path of the job.
  * @property {number | null} dialed_percent The job speed while the slider moves.
+ * @property {boolean} adjusts Whether a phone shows the speed and height of the job.
  * @property {import("./history.js").History} history
  * @property {import("./jog.js").Jog} jog
  * @property {import("./target.js").Target} target
@@ -96,6 +97,7 @@ export const begin = ({ language, theme, greeted, program }) => ({
   around: null,
   planned: null,
   dialed_percent: null,
+  adjusts: false,
   history: NO_HISTORY,
   jog: NO_JOG,
   target: NO_TARGET,
