@@ -7,7 +7,7 @@ import { player } from "../preview/preview.js";
 import { accepted, formatNames, hasSubject, withFieldNames, wrongField } from "../state/draw.js";
 import { paperOf } from "../state/paper.js";
 import { blockedReason, isVirtual } from "../state/selectors.js";
-import { sentence } from "../views/banners.js";
+import { problemText, sentence } from "../i18n/problem_text.js";
 import { formatDuration } from "../i18n/i18n.js";
 import { sheet } from "./sheet.js";
 
@@ -124,10 +124,10 @@ function statusOf({ page, t }) {
     case "planning":
       return [t("draw.planning"), "off"];
     case "failed":
-      return draw.problem ? [[draw.problem.detail, draw.problem.hint].flatMap((part) => (part ? [`${named(t, part)}.`] : [])).join(" "), "bad"] : [t("draw.cancelled"), "off"];
+      return draw.problem ? [named(t, problemText(t, draw.problem)), "bad"] : [t("draw.cancelled"), "off"];
     case "planned": {
       const refused = draw.planned?.plan.refused;
-      if (refused) return [`${sentence(refused.detail)}.`, "bad"];
+      if (refused) return [problemText(t, refused), "bad"];
       const figures = draw.planned?.plan.timeline;
       const strokes = figures?.passes.reduce((sum, pass) => sum + pass.strokes, 0) ?? 0;
       const ink_mm = figures?.passes.reduce((sum, pass) => sum + pass.ink_mm, 0) ?? 0;

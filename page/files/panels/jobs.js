@@ -3,7 +3,7 @@
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { placeFor, groupJobs } from "../state/jobs.js";
-import { sentence } from "../views/banners.js";
+import { problemLine } from "../views/problem.js";
 import { formatDuration } from "../i18n/i18n.js";
 import { recordings } from "./recordings.js";
 
@@ -44,7 +44,7 @@ function entry(context, job, waiting) {
       <p class="quiet">${t(`jobs.kind.${job.kind}`)} · ${t("job.count", { done: job.completed, all: job.commands })} · ${time(t, job)}</p>
       <p class="quiet">${t("jobs.queued_at", { time: new Date(job.created_ms).toLocaleString(page.language) })}${job.reason ? html` · <span class="reason">${job.reason}</span>` : nothing}</p>
       <div class="row">${acts(context, job, waiting)}</div>
-      ${refused?.job === job.job ? html`<p class="status" data-tone="bad" role="alert">${sentence(refused.problem.detail)}. ${refused.problem.hint ? `${sentence(refused.problem.hint)}.` : ""}</p>` : nothing}
+      ${refused?.job === job.job ? html`<p class="status" data-tone="bad" role="alert">${problemLine(context, refused.problem)}</p>` : nothing}
     </li>`;
 }
 

@@ -2,7 +2,8 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { blockedReason, laser } from "../state/selectors.js";
-import { formatClock, formatDuration } from "../i18n/i18n.js";
+import { armLaser } from "../views/problem.js";
+import { formatClock } from "../i18n/i18n.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 
@@ -46,7 +47,7 @@ export function tools({ page, t, act }) {
         <b id="laser" class="chip" data-tone=${TONES[shines]}>${words[shines]}</b>
         <span class="acts">
           ${shines === "off" ? nothing : html`<button id="disarm" type="button" class="small" @click=${() => act.ask({ type: "disarm_laser" })}>${t("tool.laser.disarm")}</button>`}
-          <button id="arm-laser" type="button" class="small" ?disabled=${why || !allowed} @click=${() => act.question({ about: "arm_laser", values: { time: formatDuration(t, act.arming_s()) } })}>${t("tool.laser.arm")}</button>
+          <button id="arm-laser" type="button" class="small" ?disabled=${why || !allowed} @click=${() => armLaser({ t, act })}>${t("tool.laser.arm")}</button>
         </span>
       </div>
       <div class="tool">

@@ -12,7 +12,7 @@
  * | { type: "notices", notices: readonly Notice[] }
  * | { type: "notice", notice: Notice }
  * | { type: "filter", text: string }
- * | { type: "closed", needs_token: boolean }
+ * | { type: "closed", needs_token: boolean, is_unknown?: boolean }
  * | { type: "connecting" }
  * | { type: "stop_pressed" }
  * | { type: "stop_late" }

@@ -54,7 +54,7 @@ function reduceOwn(page, message) {
     case "connecting":
       return { ...page, connection: page.connection === "token" ? "connecting" : page.connection };
     case "closed":
-      return { ...page, connection: message.needs_token ? "token" : "closed", me: null, question: null };
+      return { ...page, connection: message.needs_token ? "token" : "closed", is_token_unknown: message.is_unknown ?? false, me: null, question: null };
     case "stop_pressed":
       return { ...page, question: null, late_stop: unanswered(page) };
     case "stop_late":

@@ -32,6 +32,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
 /**
  * @typedef {object} Page
  * @property {Connection} connection
+ * @property {boolean} is_token_unknown Whether the station does not know the token of this page.
  * @property {number | null} me The station's number for this client.
  * @property {Role | null} role
  * @property {string} person By which name time slots know this page.
@@ -76,6 +77,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
 /** @param {{ language: Language, theme: Theme, greeted: boolean, program: string }} wish @returns {Page} */
 export const begin = ({ language, theme, greeted, program }) => ({
   connection: "connecting",
+  is_token_unknown: false,
   me: null,
   role: null,
   person: "",

@@ -87,7 +87,7 @@ export function createSocket({ store, http }) {
     lose();
     if (event.code === 1008) store.send({ type: "problem", problem: { title: "the station closed the connection", detail: event.reason } });
     const answer = await http.get("api/v1/state", AbortSignal.timeout(SILENT_MS));
-    if (answer?.status === 401) store.send({ type: "closed", needs_token: true });
+    if (answer?.status === 401) store.send({ type: "closed", needs_token: true, is_unknown: http.token() !== null });
     else setTimeout(connect, RECONNECT_MS);
   }
 

@@ -1,0 +1,54 @@
+// A problem in the user's terms: its text in the language of the page, and a button for what solves it.
+
+import { html, nothing } from "../vendor/lit-html/lit-html.js";
+import { blockedReason } from "../state/selectors.js";
+import { formatDuration } from "../i18n/i18n.js";
+import { kindOf, problemText } from "../i18n/problem_text.js";
+
+/** @typedef {import("./context.js").Context} Context */
+/** @typedef {import("../state/types.js").Problem} Problem */
+/** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
+
+/** The question that arms the laser. @param {Pick<Context, "t" | "act">} context */
+export const armLaser = ({ t, act }) => act.question({ about: "arm_laser", values: { time: formatDuration(t, act.arming_s()) } });
+
+/** What solves a condition that blocks the arm. @param {Context} context @param {string} kind @returns {[TextKey, () => void] | null} */
+function remedyOf({ page, t, act }, kind) {
+  const { station } = page;
+  switch (kind) {
+    case "no-lease":
+      return station?.lease ? ["control.request", () => void act.ask({ type: "ask_lease" })] : ["control.take", () => void act.ask({ type: "take_lease" })];
+    case "stopped":
+      return ["stopped.reset", () => act.question({ about: "reset_stop" })];
+    case "not_confirmed":
+      return ["pose.confirm", () => act.question({ about: "confirm_pose" })];
+    case "laser-disarmed":
+      return ["tool.laser.arm", () => armLaser({ t, act })];
+    case "job-running":
+      return station?.job ? ["job.pause", () => act.jobs.pause(station.job?.job ?? 0)] : null;
+    case "cannot-resume":
+      return station?.job ? ["jobs.end", () => act.jobs.end(station.job?.job ?? 0)] : null;
+    case "needs-a-person":
+      return station?.job ? ["job.resume", () => act.jobs.start(station.job?.job ?? 0)] : null;
+    default:
+      return null;
+  }
+}
+
+/** The problem types of the reasons that block the arm. */
+const KINDS = /** @type {Record<string, string>} */ ({ others_control: "no-lease", stopped: "stopped", not_confirmed: "not_confirmed", job_runs: "job-running" });
+
+/** @param {Context} context @param {string} kind */
+function button(context, kind) {
+  const remedy = remedyOf(context, kind);
+  return remedy ? html`<button type="button" class="small" data-remedy=${kind} @click=${remedy[1]}>${context.t(remedy[0])}</button>` : nothing;
+}
+
+/** A problem with its button. @param {Context} context @param {Problem} problem */
+export const problemLine = (context, problem) => html`${problemText(context.t, problem)} ${button(context, kindOf(problem))}`;
+
+/** Why the arm cannot be moved by hand now, with a button. @param {Context} context */
+export function blockedLine(context) {
+  const why = blockedReason(context.page);
+  return why ? html`${context.t(`blocked.${why}`)} ${button(context, KINDS[why] ?? "")}` : nothing;
+}
