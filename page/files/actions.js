@@ -33,10 +33,10 @@ const isStillMoving = (problem) => problem?.type?.endsWith("/still-moving") ?? f
  * @param {import("./station/calibrate.js").CalibrateRequests} outside.calibrate
  * @param {import("./station/recordings.js").RecordingRequests} outside.recordings
  * @param {import("./station/lessons.js").Lessons} outside.lessons
- * @param {(takeControlIfFree: () => void) => import("./station/jobs.js").JobRequests} outside.createJobs
- * @param {(takeControlIfFree: () => void) => import("./station/teach.js").TeachRequests} outside.createTeach
+ * @param {import("./station/jobs.js").JobRequests} outside.jobs
+ * @param {import("./station/teach.js").TeachRequests} outside.teach
  */
-export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, createJobs, createTeach }) {
+export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, jobs, teach }) {
   const { send } = store;
   /** Number of stops so far, by this page or another client. */
   let stops = 0;
@@ -52,11 +52,6 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     const { problem } = await socket.ask(request);
     if (problem) send({ type: "problem", problem });
     return problem === undefined;
-  }
-
-  /** Takes control if no client has it, as the first action does. */
-  function takeControlIfFree() {
-    if (store.page.station && !store.page.station.lease) void ask({ type: "take_lease" });
   }
 
   /** The time of the station. */
@@ -78,7 +73,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
    * @param {Command} command
    */
   async function command(command) {
-    takeControlIfFree();
+    socket.takeControlIfFree();
     const before = stops, until_s = at_s() + RUN_DOWN_S;
     let { problem } = await socket.ask({ type: "command", command });
     while (isStillMoving(problem) && at_s() < until_s) {
@@ -143,10 +138,8 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
   function confirmed({ about, values }) {
     switch (about) {
       case "arm_laser":
-        takeControlIfFree();
         return ask({ type: "arm_laser", for_s: arming_s() });
       case "detect":
-        takeControlIfFree();
         return setUp.detect();
       case "clear_calibration":
         return calibrate.forget();
@@ -167,7 +160,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
 
   return {
     setStudent,
-    send, ask, takeControlIfFree, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs: createJobs(takeControlIfFree), teach: createTeach(takeControlIfFree),
+    send, ask, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs, teach,
 
     /** Asks for confirmation. @param {Question} question */
     question: (question) => send({ type: "question", question }),
@@ -215,13 +208,12 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
 
     /** Creates a job from the drawing or its frame, and starts it. @param {Schemas["DrawingPart"]} part */
     async draw(part) {
-      takeControlIfFree();
-      const { value, problem } = await http.ask("POST", `api/v1/drawings/${store.page.draw.drawing}/jobs`, { part });
-      if (problem) return send({ type: "problem", problem });
-      const { job } = /** @type {{ job: { job: number } }} */ (value).job;
-      // A job that cannot be started is removed.
-      if (!(await ask({ type: "start_job", job }))) await socket.ask({ type: "cancel_job", job });
+      const { problem } = await jobs.run(`api/v1/drawings/${store.page.draw.drawing}/jobs`, { part });
+      if (problem) send({ type: "problem", problem });
     },
+
+    /** Takes the arm's current height as that of the pen on the paper. */
+    useHeight: () => send({ type: "draw_set", set: { down: (store.page.station?.arm?.z_mm ?? 0).toFixed(1) } }),
 
     /** Gives the virtual arm a pen and paper. */
     async addPen() {

@@ -1,6 +1,7 @@
 // Wires the station, the state, the stage and the views together.
 
 import { createActions } from "./actions.js";
+import { endEarlyStop } from "./early_stop.js";
 import { listenToDrops } from "./input/file_drop.js";
 import { listenToGamepad } from "./input/gamepad.js";
 import { createJog } from "./input/jog.js";
@@ -8,10 +9,13 @@ import { listenToKeys } from "./input/keys.js";
 import { createPads } from "./input/pads.js";
 import { draw as drawPanelOf } from "./panels/draw.js";
 import { jobs } from "./panels/jobs.js";
+import { floatingJog } from "./panels/jog.js";
 import { move } from "./panels/move.js";
 import { setUp } from "./panels/set_up.js";
 import { teach } from "./panels/teach.js";
 import { watch } from "./panels/watch.js";
+import { createFrameBudget } from "./parts/frame_budget.js";
+import { keepFocus } from "./parts/keep_focus.js";
 import { isDarkTheme, savePreferences, readPreferences } from "./parts/preferences.js";
 import { createStage } from "./stage/stage.js";
 import { recorded } from "./state/recordings.js";
@@ -48,6 +52,8 @@ import { languageOf, formatDuration, translator } from "./i18n/i18n.js";
 const TICK_MS = 250;
 const KEEP_MS = 300;
 const MESSAGE_MS = 12_000;
+/** Interruptions of a held button after which the stage becomes flat. */
+const MOST_LATE = 2;
 /** Storage key of the program being taught. */
 const PROGRAM = "dobot.program";
 const KEPT = new Set(["language", "theme", "greeted"]);
@@ -61,9 +67,10 @@ const store = createStore(begin({ language: languageOf(navigator.languages), the
 const http = createHttp();
 const socket = createSocket({ store, http });
 const setUpRequests = createSetUp(store, http, socket);
-const act = createActions({ store, socket, http, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), lessons: createLessons(store, http), createJobs: (takeControlIfFree) => createJobs(store, http, socket, takeControlIfFree), createTeach: (takeControlIfFree) => createTeach(store, http, socket, takeControlIfFree) });
-const jog = createJog(store, socket, act.takeControlIfFree);
-const pads = createPads(store, socket, act.takeControlIfFree);
+const jobRequests = createJobs(store, http, socket);
+const act = createActions({ store, socket, http, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), lessons: createLessons(store, http), jobs: jobRequests, teach: createTeach(store, http, jobRequests) });
+const jog = createJog(store, socket);
+const pads = createPads(store, socket);
 const stage = createStage(part("stage"));
 const viewOf = createViewOf();
 
@@ -71,7 +78,19 @@ const viewOf = createViewOf();
 
 let frame = 0;
 /** @type {Page | null} */ let drawn = null;
-const changed = () => (frame ||= requestAnimationFrame(draw));
+const budget = createFrameBudget();
+/** @type {number | undefined} */ let waits;
+
+/** Draws with the next frame; while a button is held, drawing waits until there was time for input. */
+function changed() {
+  if (frame || waits) return;
+  const wait_ms = store.page.jog.held === null ? 0 : budget.wait_ms();
+  if (wait_ms === 0) frame = requestAnimationFrame(draw);
+  else waits = setTimeout(() => {
+    waits = undefined;
+    changed();
+  }, wait_ms);
+}
 
 // Read only on a change: reading `matches` between frames makes Chromium swallow the event.
 let isSystemDark = dark.matches;
@@ -79,6 +98,7 @@ const isDark = (/** @type {Page} */ { theme }) => isDarkTheme(theme, isSystemDar
 
 function draw() {
   frame = 0;
+  budget.begin();
   const { page } = store;
   drawn = page;
   const t = translator(page.language);
@@ -86,18 +106,25 @@ function draw() {
   document.documentElement.dataset.theme = isDark(page) ? "dark" : "light";
   /** @type {Context} */
   const context = { page, t, act, jog, pads, connect: socket.connect, look: (preset) => stage.look(preset) };
+  keepFocus(() => renderAll(context));
+  point(page);
+  drawStage(page, t);
+}
+
+/** @param {Context} context */
+function renderAll(context) {
+  const { page } = context;
   render(statusBar(context), part("strip"));
   render(banners(context), part("banners"));
   render(toasts(context), part("toasts"));
   render(pose(context), part("numbers"));
   render(cameras(context), part("cameras"));
+  render(floatingJog(context), part("float"));
   render(page.learn.lesson || page.learn.chooses ? learn(context) : welcome(context), part("first"));
   render(tabs(context), part("tabs"));
   render(footer(context), part("foot"));
   drawPanel(context);
   showDialog(/** @type {HTMLDialogElement} */ (part("confirm")), question(context), page.question !== null);
-  point(page);
-  drawStage(page, t);
 }
 
 /** @param {Context} context */
@@ -134,7 +161,21 @@ function hideMessage() {
 let kept = store.page.teach.text;
 /** @type {number | undefined} */ let keeping;
 
+/** How often a hold ended because the page did not say in time that it lasts. */
+let late = 0;
+
+/** Rendering must not end a hold: it slows down while a button is held, and becomes flat after two interruptions. @param {import("./state/message.js").Message} message */
+function unburden(message) {
+  if (message.type === "jog_held") stage.hold(message.axis !== null);
+  if (message.type !== "jog_refused" || !message.problem.type?.endsWith("/let-go") || part("stage").dataset.shown !== "3d") return;
+  late += 1;
+  if (late < MOST_LATE) return;
+  stage.flatten();
+  store.send({ type: "flattened" });
+}
+
 store.subscribe((page, message) => {
+  unburden(message);
   // The stage needs the report of an arm at rest; the rest of the page does not change.
   if (message.type === "state" && drawn && rendersSame(drawn, page)) drawStage(page, translator(page.language));
   else changed();
@@ -175,6 +216,9 @@ followTarget(store, socket);
 followDrawing(store, http);
 followPackets(store, http);
 listenToDrops(part("work"), act.openFile);
+endEarlyStop();
 takeToken(http);
+// Where there is room for it beside the arm.
+if (matchMedia("(min-width: 75rem) and (min-height: 42rem)").matches) store.send({ type: "jog_set", set: { floats: true } });
 draw();
 socket.connect();

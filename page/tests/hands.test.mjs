@@ -69,7 +69,7 @@ test("at a limit the button is released once, and the reason is shown beside it"
   await passed(page, 1.5);
   assert.equal(await pose(page, "z_mm"), stood);
   assert.equal(await buttonAt(page, box), "z_minus");
-  assert.match(await page.textContent("#jog-why"), /^Z−: /);
+  assert.match(await page.textContent("#jog-why"), /^Z−: .*Jog slower/);
   assert.equal(await page.isVisible("#problem"), false);
   await page.mouse.up();
   assert.deepEqual(toldOfButtons(), [AXES.z_minus, RELEASED]);
@@ -84,7 +84,7 @@ test("a page that is blocked for 3 s releases at once, and does not move the arm
   const jogs = traffic.jogs(from);
   const released = jogs.find((it) => it.text === RELEASED);
   assert.ok(released.at - blocked < 400, `released ${released.at - blocked} ms after it was blocked`);
-  await page.waitForFunction(() => document.querySelector("#jog-why").textContent.includes("fell silent"));
+  await page.waitForFunction(() => document.querySelector("#jog-why").textContent.includes("did not respond"));
   await rest(page);
   assert.deepEqual(toldOfButtons(), [AXES.y_plus, RELEASED]);
   await bench.setDeadMan(1);
@@ -114,4 +114,31 @@ test("an unrelated error does not move the layout under the pointer", async () =
   assert.deepEqual(await page.locator("[data-axis=y_minus]:visible").boundingBox(), box);
   assert.equal(await buttonAt(page, box), "y_minus");
   await page.click("#problem-close");
+});
+
+test("a mouse that slides off a held button by more than 20 px releases it, and does not press it again on the way back", async () => {
+  const { x, y, width, height } = await page.locator("[data-axis=y_plus]:visible").boundingBox();
+  await press(page, "y_plus");
+  await moved(page, "y_mm", 3);
+  await page.mouse.move(x - 15, y + height / 2);
+  await moved(page, "y_mm", 3);
+  await page.mouse.move(x - 25, y + height / 2, { steps: 3 });
+  await rest(page);
+  await page.mouse.move(x + width / 2, y + height / 2, { steps: 3 });
+  await passed(page, 0.5);
+  assert.deepEqual(toldOfButtons(), [AXES.y_plus, RELEASED]);
+});
+
+test("a press while the arm brakes says that it waits, and one that is too short says that nothing moved", async () => {
+  await page.fill("#speed", "100");
+  await press(page, "y_minus");
+  await moved(page, "y_mm", 15);
+  await page.mouse.up();
+  await page.mouse.down();
+  await page.waitForFunction(() => document.querySelector("#jog-why").textContent.includes("still braking"));
+  await page.mouse.up();
+  await page.waitForFunction(() => document.querySelector("#jog-why").textContent.includes("nothing moved"));
+  await rest(page);
+  assert.deepEqual(toldOfButtons(), [AXES.y_minus, RELEASED]);
+  await page.fill("#speed", "30");
 });

@@ -1,7 +1,7 @@
 // What a person sets up on the page, judged on what the station then does.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
-import { waitForAnswer, open, takeControl, typeTarget } from "./bench.mjs";
+import { waitForAnswer, open, serveFromDisk, takeControl, typeTarget } from "./bench.mjs";
 
 let real, virtual;
 
@@ -17,7 +17,7 @@ after(async () => {
 afterEach(() => assert.deepEqual([...real.errors, ...virtual.errors], []));
 
 const waitForText = (page, id, part) => page.waitForFunction(([id, part]) => document.getElementById(id)?.textContent.includes(part), [id, part])
-  .catch(async (error) => assert.fail(`${error.message} ${id} says: ${await page.textContent(`#${id}`)}`));
+  .catch(async (error) => assert.fail(`${error.message} ${id} says: ${await page.textContent(`#${id}`)}; ${await page.locator(".refusal").allTextContents()}`));
 const THERE = { x_mm: 220, y_mm: 100, z_mm: 0 };
 
 test("a keep-out in force refuses a target that was free, and is gone when it is removed", async () => {
@@ -88,7 +88,7 @@ test("an invalid policy is reported with its line, cannot be put in force, and t
   const before = await real.ask("api/v1/policy");
   await page.fill("#policy-text", text.replace(/line_mm_s = 200/, "line_mm_s = fast"));
   await page.waitForFunction(() => document.querySelector("#policy-status").dataset.tone === "bad");
-  assert.match(await page.textContent("#policy-status"), /Line \d+/);
+  assert.match(await page.textContent("#policy-status"), /line \d+/);
   assert.equal(await page.isDisabled("#policy-keep"), true);
   await page.click("#policy-forget");
   await waitForText(page, "policy-status", "This policy is in force");
@@ -179,4 +179,14 @@ test("the language changes at once, and is kept for the next visit", async () =>
   await page.check("[name=language][value=en]", { force: true });
   await page.check("[name=theme][value=dark]", { force: true });
   await page.waitForFunction(() => document.documentElement.dataset.theme === "dark");
+});
+
+test("a token that the station does not know is reported as unknown, and the page asks for another one", async () => {
+  const context = await virtual.page.context().browser().newContext();
+  await serveFromDisk(context, virtual.url);
+  const page = await context.newPage();
+  await page.goto(`${virtual.url}#token=wrong`);
+  await page.waitForSelector("#token");
+  assert.match(await page.textContent("#token label"), /does not know this token/);
+  await context.close();
 });

@@ -51,3 +51,17 @@ test("STOP is within reach of a thumb, and nothing extends beyond the screen", a
   await finger("touchEnd", "[data-axis=x_plus]");
   assert.equal(traffic.jogs(from).at(-1).text, "linear 0");
 });
+
+test("a finger that slides off a held button releases it while it is still on the screen", async () => {
+  await page.click("#reset");
+  await page.click("#confirm-yes");
+  await page.waitForSelector("[data-axis=y_minus]:enabled");
+  const from = traffic.packets.length;
+  const { x, y, width, height } = await page.locator("[data-axis=y_minus]").boundingBox();
+  await finger("touchStart", "[data-axis=y_minus]");
+  await moved(page, "y_mm", 3);
+  await session.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x: x + width / 2, y: y + height + 30 }] });
+  await rest(page);
+  assert.equal(traffic.jogs(from).at(-1).text, "linear 0");
+  await finger("touchEnd", "[data-axis=y_minus]");
+});

@@ -67,7 +67,7 @@ test("a station killed while a button is held stops the arm, and the page report
   await moved(page, "y_mm", 4);
   const killed = performance.now();
   await bench.restart();
-  await page.waitForFunction(() => document.querySelector("#jog-why").textContent === "The pose is not confirmed." || !document.querySelector("[data-axis=y_plus]").disabled);
+  await page.waitForFunction(() => document.querySelector("#jog-why").textContent.startsWith("The pose is not confirmed.") || !document.querySelector("[data-axis=y_plus]").disabled);
   await page.mouse.up();
   const later = traffic.jogs().filter((it) => it.at > killed).map((it) => it.text);
   // The watchdog lets go; the button that was still held presses nothing.
@@ -125,4 +125,18 @@ test("a page that lost its station shows the age of its picture", async () => {
   await page.waitForFunction(() => document.querySelector("#stage").classList.contains("is-old"));
   await page.waitForSelector("#old");
   assert.match(await page.textContent("#old"), /This view is \d+ s old/);
+});
+
+test("a condition that blocks the arm has its button beside it", async () => {
+  const other = await bench.visit({ viewport: { width: 1130, height: 640 } });
+  await page.waitForSelector("#take, #release");
+  if (await page.isVisible("#take")) await page.click("#take");
+  await other.click("#jog-why [data-remedy=others_control]");
+  await page.click(".give");
+  await other.waitForFunction(() => document.querySelector("#holder").textContent === "You have control.");
+  await other.keyboard.press("Escape");
+  await other.click("#jog-why [data-remedy=stopped]");
+  await other.click("#confirm-yes");
+  await other.waitForSelector("#stopped", { state: "detached" });
+  await other.context().close();
 });

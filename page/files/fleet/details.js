@@ -12,7 +12,7 @@ import { learnerLine } from "./learners.js";
 import { alarms, isThere, lockOf, pageOf, share } from "./members.js";
 import { ofArm } from "./queue_list.js";
 import { slotsOfArm } from "./slot_form.js";
-import { problemText } from "./outcome_text.js";
+import { problemText } from "../i18n/problem_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./members.js").Member} Member */
@@ -61,7 +61,7 @@ function reasons({ t }, { presence, state }) {
   const stop = state?.stop, lock = lockOf(state);
   const texts = [
     presence.type === "away" ? t("fleet.offline.text") : "",
-    presence.type === "refused" ? problemText(presence.problem) : "",
+    presence.type === "refused" ? problemText(t, presence.problem) : "",
     stop ? t(stop.of_fleet ? "stopped.by_fleet" : "stopped.by", { by: stop.by, why: stop.reason ? `: ${stop.reason}` : "", rest: t(!stop.delivered ? "stopped.not_delivered" : stop.at_rest ? "stopped.at_rest" : "stopped.moving") }) : "",
     lock ? `${t("locked.title")} ${t("locked.by", { by: lock.by, why: lock.message ? `: ${lock.message}` : "" })}` : "",
     state?.arm && !state.trust.trusted ? state.trust.reason ?? "" : "",

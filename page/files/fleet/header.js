@@ -7,7 +7,8 @@ import { tokenForm } from "../views/token.js";
 import { formatDuration } from "../i18n/i18n.js";
 import { SORTS, count, giver, groups, isMeant, isThere, lockOf, nameOf, recipients } from "./members.js";
 import { counts } from "./queue.js";
-import { problemText, outcomeText, outcomeTone, toText } from "./outcome_text.js";
+import { problemText } from "../i18n/problem_text.js";
+import { outcomeText, outcomeTone, toText } from "./outcome_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
@@ -108,7 +109,7 @@ export function banners(context) {
   return html`
     ${lost(context)}
     ${board.connection === "alone" ? html`<p id="alone" class="banner" data-tone="warn" role="status">${t("fleet.alone")}</p>` : nothing}
-    ${board.denied ? html`<div id="denied">${tokenForm(t, problemText(board.denied), act.useToken)}<button type="button" class="small" @click=${() => act.send({ type: "outcome_closed", what: "denied" })}>${t("close")}</button></div>` : nothing}`;
+    ${board.denied ? html`<div id="denied">${tokenForm(t, problemText(t, board.denied), act.useToken)}<button type="button" class="small" @click=${() => act.send({ type: "outcome_closed", what: "denied" })}>${t("close")}</button></div>` : nothing}`;
 }
 
 /** Nothing on a board may look as if it were now when it is not. @param {Context} context */

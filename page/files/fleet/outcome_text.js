@@ -1,17 +1,13 @@
 // The outcome of a request to several stations, as text.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
-import { sentence } from "../views/banners.js";
+import { problemText } from "../i18n/problem_text.js";
 import { pageIn, pageOf } from "./members.js";
 import { list, outcomeOf, problemOf } from "./outcome.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./state.js").FleetRequest} FleetRequest */
-/** @typedef {import("../state/types.js").Problem} Problem */
 /** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
-
-/** A problem as a person reads it. @param {Problem} problem */
-export const problemText = ({ detail, hint }) => `${sentence(detail)}.${hint ? ` ${sentence(hint)}.` : ""}`;
 
 /** Whom it was for. @param {Context["t"]} t @param {import("./state.js").Recipients} to @param {string} language */
 export function toText(t, to, language) {
@@ -31,14 +27,14 @@ export function outcomeTone(context, { answers, problem }) {
 export function outcomeText(context, request) {
   const { board: { language }, t } = context;
   const { what, to, answers, problem } = request;
-  if (problem) return html`<strong>${t(`fleet.failed.${what}`)}</strong> ${problemText(problem)} ${what === "stop" ? pages(context, context.board.members.map(({ name }) => name)) : nothing}`;
+  if (problem) return html`<strong>${t(`fleet.failed.${what}`)}</strong> ${problemText(t, problem)} ${what === "stop" ? pages(context, context.board.members.map(({ name }) => name)) : nothing}`;
   if (!answers) return html`${t(`fleet.pending.${what}`, { to: toText(t, to, language) })}`;
   const { done, silent, refused } = outcomeOf(answers);
   const all = answers.length;
   return html`
     ${what === "give_arm" ? given(context, answers) : html`<strong>${t(`fleet.done.${what}`, { done: done.length, all })}</strong>`}
     ${silent.length ? html`<span class="silent">${t(what === "stop" ? "fleet.silent.stop" : "fleet.silent", { names: list(language, silent) })} ${what === "stop" ? pages(context, silent) : nothing}</span>` : nothing}
-    ${refused.map((refusal) => html`<span class="refused">${list(language, refusal.members)}: ${problemText(refusal.problem)}</span>`)}`;
+    ${refused.map((refusal) => html`<span class="refused">${list(language, refusal.members)}: ${problemText(t, refusal.problem)}</span>`)}`;
 }
 
 /** The new virtual arm, with a link to its page. @param {Context} context @param {readonly import("./state.js").MemberAnswer[]} answers */

@@ -2,11 +2,10 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
-import { sentence } from "../views/banners.js";
+import { problemText, sentence } from "../i18n/problem_text.js";
 import { share } from "./members.js";
 import { canCancel, canReassign, ofMember, groupWork } from "./queue.js";
 import { submission } from "./submit.js";
-import { problemText } from "./outcome_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./queue.js").WorkView} WorkView */
@@ -54,7 +53,7 @@ function entry(context, work) {
       ${reason ? html`<p class="quiet">${sentence(reason)}</p>` : nothing}
       ${before.map((attempt) => html`<p class="quiet before">${t("fleet.work.before", { name: attempt.member.name, drawn: attempt.drawn })}</p>`)}
       ${acts(context, work)}
-      ${refused?.work === id ? html`<p class="status-of" data-tone="bad" role="alert">${problemText(refused.problem)}</p>` : nothing}
+      ${refused?.work === id ? html`<p class="status-of" data-tone="bad" role="alert">${problemText(t, refused.problem)}</p>` : nothing}
     </li>`;
 }
 

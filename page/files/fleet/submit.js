@@ -6,7 +6,7 @@ import { accepted } from "../state/draw.js";
 import { arms, canSubmit, isWrongHeight, offers } from "./queue.js";
 import { groups } from "./members.js";
 import { list } from "./outcome.js";
-import { problemText } from "./outcome_text.js";
+import { problemText } from "../i18n/problem_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./queue.js").Form} Form */
@@ -34,7 +34,7 @@ export function submission(context) {
       </div>
       <div class="row"><button id="submit-send" type="submit" class="small strong" ?disabled=${!canSubmit(form) || submitting}>${t("fleet.submit.send")}</button>
         ${submitted === null ? nothing : html`<span id="submitted" role="status">${t("fleet.submit.done", { title: submitted })}</span>`}</div>
-      ${refused?.work === null ? html`<p class="status-of" data-tone="bad" role="alert">${problemText(refused.problem)}</p>` : nothing}
+      ${refused?.work === null ? html`<p class="status-of" data-tone="bad" role="alert">${problemText(t, refused.problem)}</p>` : nothing}
     </form>`;
 }
 

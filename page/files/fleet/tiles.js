@@ -7,7 +7,7 @@ import { isSamePerson, timeNow } from "../state/slots.js";
 import { formatClock, formatDuration } from "../i18n/i18n.js";
 import { learnerLine } from "./learners.js";
 import { alarms, isStuck, isThere, pageOf, recipients, sections, share, toneOf } from "./members.js";
-import { problemText } from "./outcome_text.js";
+import { problemText } from "../i18n/problem_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./members.js").Member} Member */
@@ -89,5 +89,5 @@ function whose(t, state) {
 function gone(t, member) {
   const { presence } = member, page = pageOf(member);
   return html`
-    <p class="why">${presence.type === "refused" ? problemText(presence.problem) : page ? html`<a href=${page} target="_blank" rel="noreferrer">${t("fleet.offline.stops")}</a>` : t("fleet.offline.stops")}</p>`;
+    <p class="why">${presence.type === "refused" ? problemText(t, presence.problem) : page ? html`<a href=${page} target="_blank" rel="noreferrer">${t("fleet.offline.stops")}</a>` : t("fleet.offline.stops")}</p>`;
 }

@@ -10,13 +10,19 @@
 import { blockedReason } from "../state/selectors.js";
 
 const JOG_MS = 50;
+/** The longest time in which the arm comes to rest, by the station's clock. */
+const RUN_DOWN_S = 0.5;
+
+/** @type {import("../state/types.js").Problem} */
+const LOST_PRESS = { type: "lost-press", title: "nothing moved", detail: "the button was released before the arm was at rest" };
 
 /**
  * @param {Store} store
  * @param {import("../station/socket.js").Socket} socket
- * @param {() => void} takeControlIfFree takes control if no client has it
  */
-export function createJog(store, socket, takeControlIfFree) {
+export function createJog(store, socket) {
+  /** The axis of the last press. */
+  let pressed = "";
   /** @type {{ by: unknown, axis: Axis, timer: number, speed_percent: () => number } | undefined} */ let held;
 
   /** @param {unknown} by the input that holds @param {Axis} axis @param {() => number} speed_percent of each press */
@@ -24,11 +30,13 @@ export function createJog(store, socket, takeControlIfFree) {
     if (held && held.by === by && held.axis === axis) return;
     release();
     if (blockedReason(store.page)) return;
-    takeControlIfFree();
+    socket.takeControlIfFree();
     const { frame } = store.page.jog;
     const mine = { by, axis, speed_percent, timer: setInterval(press, JOG_MS) };
     held = mine;
-    store.send({ type: "jog_held", axis });
+    pressed = axis;
+    const { arm, at_s } = /** @type {import("../state/types.js").Station} */ (store.page.station);
+    store.send({ type: "jog_held", axis, waits_until_s: arm?.moving ? at_s + RUN_DOWN_S : null });
     void press();
 
     async function press() {
@@ -37,7 +45,7 @@ export function createJog(store, socket, takeControlIfFree) {
       // A refusal ends the press: it is shown next to the button, and a new press is needed.
       if (!problem || held !== mine) return;
       release();
-      store.send({ type: "jog_refused", axis, detail: problem.detail });
+      store.send({ type: "jog_refused", axis, problem });
     }
   }
 
@@ -58,15 +66,18 @@ export function createJog(store, socket, takeControlIfFree) {
   async function stepBy(axis, by) {
     const { page } = store;
     if (!page.station?.arm || blockedReason(page)) return;
-    takeControlIfFree();
     const button = /** @type {Schemas["Button"]} */ ({ frame: page.jog.frame, axis });
     store.send({ type: "jog_held", axis });
     store.send({ type: "jog_held", axis: null });
     const { problem } = await socket.ask({ type: "step", button, by });
-    if (problem) store.send({ type: "jog_refused", axis, detail: problem.detail });
+    if (problem) store.send({ type: "jog_refused", axis, problem });
   }
 
+  /** A press that ended before the arm had come to rest: nothing has moved. @param {import("../state/types.js").Notice} notice */
+  const isLostPress = (notice) => notice.type === "refused" && notice.client === store.page.me && notice.kind === "let-go";
+
   store.subscribe((page, message) => {
+    if (message.type === "notice" && isLostPress(message.notice) && !page.jog.refused) store.send({ type: "jog_refused", axis: pressed, problem: LOST_PRESS });
     if (message.type === "closed" || message.type === "stop_pressed" || (held && blockedReason(page) !== null)) release();
     if (message.type === "jog_set" && message.set.frame) release();
   });

@@ -43,11 +43,10 @@ export function gesturePacket({ far, left, z_mm, grab }, { x, y, z }) {
  * @param {object} outside
  * @param {import("../state/store.js").Store} outside.store
  * @param {import("../station/socket.js").Socket} outside.socket
- * @param {() => void} outside.takeControlIfFree
  * @param {() => Command | null} outside.next the packet to send now, or null
  * @param {(detail: string) => void} outside.refused
  */
-export function createStream({ store, socket, takeControlIfFree, next, refused }) {
+export function createStream({ store, socket, next, refused }) {
   let isHeld = false;
   /** Requested and in-flight packets. @type {Set<number>} */ const inFlight = new Set();
   let pending = 0;
@@ -85,7 +84,7 @@ export function createStream({ store, socket, takeControlIfFree, next, refused }
   return {
     begin() {
       finished.clear();
-      takeControlIfFree();
+      socket.takeControlIfFree();
       isHeld = true;
       void fill();
     },

@@ -11,9 +11,8 @@ const UNDECIDED = { x: MM, y: MM, z: MM };
 /**
  * @param {import("../state/store.js").Store} store
  * @param {import("../station/socket.js").Socket} socket
- * @param {() => void} takeControlIfFree
  */
-export function createPads(store, socket, takeControlIfFree) {
+export function createPads(store, socket) {
   /** The facts of the dialect that holds; nothing for the moment until they are read. */
   function facts() {
     const { facts, station } = store.page;
@@ -23,7 +22,7 @@ export function createPads(store, socket, takeControlIfFree) {
 
   /** Pointer travel since the last packet in pixels, and the lift in units. */
   let way = /** @type {[number, number]} */ ([0, 0]), lift = 0;
-  const mouse = createStream({ store, socket, takeControlIfFree, refused, next() {
+  const mouse = createStream({ store, socket, refused, next() {
     const arm = store.page.station?.arm, known = facts();
     if (!arm || !known || (Math.hypot(...way) < 1 && lift === 0)) return null;
     const { command, used } = mousePacket(way, arm, known.dialect?.mouse_swings ?? false, lift);
@@ -33,7 +32,7 @@ export function createPads(store, socket, takeControlIfFree) {
   } });
 
   let hand = { far: 0, left: 0 }, z_mm = 40, grab = false, repeats = 0;
-  const gesture = createStream({ store, socket, takeControlIfFree, refused, next() {
+  const gesture = createStream({ store, socket, refused, next() {
     const known = facts(), mounted = store.page.around?.tool.kind ?? "suction_cup";
     // Gestures are averaged with earlier ones; a gesture that moves nothing may never end.
     if (!known || repeats >= (known.dialect?.gesture_samples ?? 1)) return null;

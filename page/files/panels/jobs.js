@@ -3,7 +3,7 @@
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { placeFor, groupJobs } from "../state/jobs.js";
-import { sentence } from "../views/banners.js";
+import { problemLine } from "../views/problem.js";
 import { formatDuration } from "../i18n/i18n.js";
 import { recordings } from "./recordings.js";
 
@@ -44,7 +44,7 @@ function entry(context, job, waiting) {
       <p class="quiet">${t(`jobs.kind.${job.kind}`)} · ${t("job.count", { done: job.completed, all: job.commands })} · ${time(t, job)}</p>
       <p class="quiet">${t("jobs.queued_at", { time: new Date(job.created_ms).toLocaleString(page.language) })}${job.reason ? html` · <span class="reason">${job.reason}</span>` : nothing}</p>
       <div class="row">${acts(context, job, waiting)}</div>
-      ${refused?.job === job.job ? html`<p class="status" data-tone="bad" role="alert">${sentence(refused.problem.detail)}. ${refused.problem.hint ? `${sentence(refused.problem.hint)}.` : ""}</p>` : nothing}
+      ${refused?.job === job.job ? html`<p class="status" data-tone="bad" role="alert">${problemLine(context, refused.problem)}</p>` : nothing}
     </li>`;
 }
 
@@ -55,7 +55,7 @@ function time(t, { phase, took_s, left_s, planned_s }) {
   return planned_s == null ? t("jobs.untimed") : t("jobs.takes", { time: formatDuration(t, planned_s) });
 }
 
-/** The actions for a job. @param {Context} context @param {JobView} job @param {readonly JobView[]} waiting */
+/** The actions for a job. The first button changes its meaning with the phase, and stays the same element, which keeps the focus. @param {Context} context @param {JobView} job @param {readonly JobView[]} waiting */
 function acts({ page, t, act }, { job, phase, title }, waiting) {
   const button = (/** @type {string} */ id, /** @type {TextKey} */ word, /** @type {() => void} */ does, strong = false, off = false) => html`
     <button type="button" class="small ${strong ? "strong" : ""}" data-act=${id} aria-label=${`${t(word)}: ${title}`} ?disabled=${off} @click=${does}>${t(word)}</button>`;
@@ -67,12 +67,12 @@ function acts({ page, t, act }, { job, phase, title }, waiting) {
   const end = button("end", "jobs.end", () => act.jobs.end(job));
   switch (phase) {
     case "queued":
-      return html`${button("start", "jobs.start", () => act.jobs.start(job), true, runs)}${moves(-1, "jobs.up", "↑")}${moves(1, "jobs.down", "↓")}${end}`;
+      return [button("start", "jobs.start", () => act.jobs.start(job), true, runs), end, moves(-1, "jobs.up", "↑"), moves(1, "jobs.down", "↓")];
     case "running":
-      return html`${button("pause", "job.pause", () => act.jobs.pause(job))}${end}`;
+      return [button("pause", "job.pause", () => act.jobs.pause(job)), end];
     case "paused":
-      return html`${button("start", "job.resume", () => act.jobs.start(job), true, runs)}${end}`;
+      return [button("start", "job.resume", () => act.jobs.start(job), true, runs), end];
     default:
-      return html`${button("again", "jobs.again", () => void act.jobs.again(job))}${button("forget", "jobs.remove", () => act.jobs.forget(job))}`;
+      return [button("again", "jobs.again", () => void act.jobs.again(job)), button("forget", "jobs.remove", () => act.jobs.forget(job))];
   }
 }

@@ -1,8 +1,9 @@
 // The jog buttons: they move the arm while held, or by one step.
 
-import { html } from "../vendor/lit-html/lit-html.js";
+import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { blockedReason } from "../state/selectors.js";
+import { blockedLine, problemLine } from "../views/problem.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 /** @typedef {import("../i18n/i18n.js").TextKey} TextKey */
@@ -33,17 +34,45 @@ const JOINT = [
 /** @type {readonly TextKey[]} */
 const JOINTS = ["pose.base", "pose.base", "pose.rear", "pose.rear", "pose.fore", "pose.fore", "pose.servo", "pose.servo"];
 const STEPS = [0.1, 1, 10];
+/** How far a pointer may slide off a held button. */
+const SLIDE_PX = 20;
+
+/** Whether a pointer has left a button: it is captured, so no event says so. @param {{ clientX: number, clientY: number }} pointer @param {Pick<DOMRect, "left" | "right" | "top" | "bottom">} box */
+export const isOff = ({ clientX: x, clientY: y }, { left, right, top, bottom }) => Math.max(left - x, x - right, top - y, y - bottom) > SLIDE_PX;
 
 /** Returns the label of an axis. @param {string} axis */
 export const nameOf = (axis) => [...LINEAR, ...JOINT].find(([it]) => it === axis)?.[1] ?? axis;
 
+/** Why the last press ended, whether this one waits, or how the buttons work. @param {Context} context */
+function status(context) {
+  const { page, t } = context;
+  const { frame, step, waits_until_s, refused } = page.jog;
+  if (refused) return html`${nameOf(refused.axis)}: ${problemLine(context, refused.problem)}${step === null && refused.problem.rule ? html` ${t("jog.slower")}` : nothing}`;
+  if (waits_until_s !== null) return t("jog.waits");
+  return step === null ? t("jog.hint.hold") : t(`jog.hint.step.${frame}`, { step });
+}
+
+/** The tabs in which a person positions the arm. */
+const POSITIONS = new Set(["draw", "teach", "set_up"]);
+
+/** The jog pad over the picture, where no tab has to be changed to move the arm. @param {Context} context */
+export function floatingJog(context) {
+  const { page, t, act } = context;
+  if (!POSITIONS.has(page.tab)) return nothing;
+  const { floats } = page.jog;
+  return html`
+    <div id="jog-float" class="jog-float">
+      <button id="jog-fold" type="button" class="small" aria-expanded=${floats ? "true" : "false"} @click=${() => act.send({ type: "jog_set", set: { floats: !floats } })}>${t(floats ? "jog.fold" : "jog")}</button>
+      ${floats ? jogPanel(context) : nothing}
+    </div>`;
+}
+
 /** @param {Context} context */
-export function jogPanel({ page, t, act, jog }) {
-  const { frame, step, speed_percent, held, refused } = page.jog;
+export function jogPanel(context) {
+  const { page, t, act, jog } = context;
+  const { frame, step, speed_percent, held } = page.jog;
   const why = blockedReason(page);
   const buttons = frame === "linear" ? LINEAR : JOINT;
-  const hint = step === null ? t("jog.hint.hold") : t(`jog.hint.step.${frame}`, { step });
-  const statusText = why ? t(`blocked.${why}`) : refused ? `${nameOf(refused.axis)}: ${refused.detail}.` : hint;
 
   const buttonOf = (/** @type {Event} */ event) => /** @type {HTMLButtonElement | null} */ (/** @type {Element} */ (event.target).closest("button[data-axis]"));
   const press = (/** @type {Event} */ event) => {
@@ -51,6 +80,10 @@ export function jogPanel({ page, t, act, jog }) {
     if (button && !button.disabled) jog.press(button, button.dataset.axis ?? "");
   };
   const release = (/** @type {Event} */ event) => jog.releaseBy(buttonOf(event));
+  const move = (/** @type {PointerEvent} */ event) => {
+    const button = buttonOf(event);
+    if (button && isOff(event, button.getBoundingClientRect())) jog.releaseBy(button);
+  };
   const pointer = (/** @type {PointerEvent} */ event) => {
     const button = buttonOf(event);
     if (event.button !== 0 || !button) return;
@@ -76,12 +109,12 @@ export function jogPanel({ page, t, act, jog }) {
           ${[null, ...STEPS].map((choice) => html`<label><input type="radio" name="step" value=${choice ?? "hold"} .checked=${live(choice === step)} @change=${() => act.send({ type: "jog_set", set: { step: choice } })}><span>${choice ?? t("jog.hold")}</span></label>`)}
         </fieldset>
       </div>
-      <div class=${frame === "linear" ? "pad" : "pad joints"} @pointerdown=${pointer} @pointerup=${release} @pointercancel=${release} @lostpointercapture=${release}
+      <div class=${frame === "linear" ? "pad" : "pad joints"} @pointerdown=${pointer} @pointermove=${move} @pointerup=${release} @pointercancel=${release} @lostpointercapture=${release}
         @focusout=${release} @keyup=${release} @keydown=${key} @contextmenu=${(/** @type {Event} */ event) => event.preventDefault()}>
         ${buttons.map(([axis, name, way, place], n) => html`<button type="button" data-axis=${axis} class="${place} ${held === axis ? "is-held" : ""}" ?disabled=${why !== null}>${name}<small>${frame === "joint" ? html`<span class="full">${t(/** @type {TextKey} */ (JOINTS[n]))} </span>` : ""}${t(way)}</small></button>`)}
       </div>
       <label class="speed">${t("jog.speed")} <input id="speed" type="range" min="5" max="100" step="5" .value=${live(String(speed_percent))}
         @input=${(/** @type {Event} */ event) => act.send({ type: "jog_set", set: { speed_percent: Number(/** @type {HTMLInputElement} */ (event.target).value) } })}> <output id="speed-shown" for="speed">${speed_percent} %</output></label>
-      <p id="jog-why" class="status" role="status" data-tone=${!why && refused ? "bad" : "off"}>${statusText}</p>
+      <p id="jog-why" class="status" role="status" data-tone=${!why && page.jog.refused ? "bad" : "off"}>${why ? blockedLine(context) : status(context)}</p>
     </section>`;
 }

@@ -5,7 +5,7 @@ import { live } from "../vendor/lit-html/directives/live.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { saveAs } from "../parts/download.js";
 import { exported, line, wanted } from "../state/packets.js";
-import { sentence } from "../views/banners.js";
+import { problemText } from "../i18n/problem_text.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 /** @typedef {import("../state/packets.js").Passed} Passed */
@@ -48,7 +48,7 @@ function list({ page, t, act }) {
       <button id="packets-save" type="button" class="small" ?disabled=${!found.length} @click=${() => saveAs(new Blob([exported(found)], { type: "application/jsonl" }), "packets.jsonl")}>${t("packets.save")}</button>
       <span id="packets-count" class="quiet">${t("packets.count", { count: found.length })}</span>
     </div>
-    ${problem ? html`<p id="packets-problem" class="status" data-tone="bad" role="alert">${sentence(problem.detail)}.</p>` : nothing}
+    ${problem ? html`<p id="packets-problem" class="status" data-tone="bad" role="alert">${problemText(t, problem)}</p>` : nothing}
     ${lost ? html`<p id="packets-lost" class="status" data-tone="warn">${t("packets.lost", { count: lost })}</p>` : nothing}
     <ol class="packets">${repeat(newest, ({ number }) => number, row)}</ol>`;
 }

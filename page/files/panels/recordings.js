@@ -4,7 +4,7 @@ import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { SPEEDS, extent } from "../state/recordings.js";
-import { sentence } from "../views/banners.js";
+import { problemText } from "../i18n/problem_text.js";
 import { formatClock } from "../i18n/i18n.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
@@ -17,7 +17,7 @@ export function recordings(context) {
   return html`
     <section class="card" aria-labelledby="recordings-title">
       <h2 id="recordings-title">${t("recordings")}</h2>
-      ${problem ? html`<p id="recordings-problem" class="status" data-tone="bad" role="alert">${sentence(problem.detail)}. ${problem.hint ? `${sentence(problem.hint)}.` : ""}</p>` : nothing}
+      ${problem ? html`<p id="recordings-problem" class="status" data-tone="bad" role="alert">${problemText(t, problem)}</p>` : nothing}
       ${chosen ? player(context) : nothing}
       ${all?.length === 0 ? html`<p class="drop quiet">${t("recordings.none")}</p>` : nothing}
       <ol class="jobs">${repeat([...(all ?? [])].reverse(), ({ name }) => name, (recording) => entry(context, recording))}</ol>

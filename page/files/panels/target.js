@@ -5,7 +5,7 @@ import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { blockedReason } from "../state/selectors.js";
 import { FIELDS, placeOf } from "../state/target.js";
-import { sentence } from "../views/banners.js";
+import { problemText } from "../i18n/problem_text.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 /** @typedef {import("../state/target.js").TargetPath} TargetPath */
@@ -26,7 +26,7 @@ function statusOf({ page, t }) {
     case "unknown":
       return [t("target.checking"), "off"];
     case "refused":
-      return [`${sentence(target.check.problem.detail)}.`, "bad"];
+      return [problemText(t, target.check.problem), "bad"];
     case "free": {
       const { takes_s } = target.check;
       return [takes_s === null ? t("target.free.untimed") : t("target.free", { time: takes_s.toFixed(1) }), "good"];

@@ -7,7 +7,8 @@ import { blockedReason, memoize, rowsIn } from "../state/selectors.js";
 import { rowAt, stepsIn } from "../state/teach.js";
 import { ROW_PX, startRowDrag } from "../input/row_drag.js";
 import { saveAs } from "../parts/download.js";
-import { sentence } from "../views/banners.js";
+import { sentence } from "../i18n/problem_text.js";
+import { blockedLine, problemLine } from "../views/problem.js";
 import { formatDuration } from "../i18n/i18n.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
@@ -149,12 +150,13 @@ function edits({ page, t, act }, rows) {
 }
 
 /** The problems of the program, each with a button that selects its step. @param {Context} context @param {readonly Row[]} rows */
-function problems({ page, t, act }, rows) {
+function problems(context, rows) {
+  const { page, t, act } = context;
   const { report, refused, text } = page.teach;
   const found = text.trim() ? report?.problems ?? [] : [];
   return html`
     <div id="teach-problems" role="status">
-      ${refused ? html`<p class="status" data-tone="bad">${sentence(refused.detail)}. ${refused.hint ? `${sentence(refused.hint)}.` : ""}</p>` : nothing}
+      ${refused ? html`<p class="status" data-tone="bad">${problemLine(context, refused)}</p>` : nothing}
       ${found.slice(0, 20).map(({ line, message, remedy }) => {
         const row = rowAt(rows, line);
         return html`<p class="status" data-tone="bad">${row === null ? (line ? t("teach.line", { line }) : "") : html`<button type="button" class="small problem" @click=${() => act.send({ type: "teach_chosen", row })}>${t("teach.step", { step: row + 1 })}</button>`} ${sentence(message)}. ${remedy ? `${sentence(remedy)}.` : ""}</p>`;
@@ -164,7 +166,8 @@ function problems({ page, t, act }, rows) {
 }
 
 /** @param {Context} context @param {readonly Row[]} rows */
-function runs({ page, t, act }, rows) {
+function runs(context, rows) {
+  const { page, t, act } = context;
   const why = blockedReason(page);
   const own = page.station?.job?.job === page.teach.job;
   const busy = page.station?.job?.phase === "running";
@@ -177,10 +180,10 @@ function runs({ page, t, act }, rows) {
         <button id="teach-loop" type="button" ?disabled=${off || busy} @click=${() => act.teach.run(false, "forever")}>${t("teach.loop")}</button>
         <button id="teach-step" type="button" class="small" ?disabled=${off || busy} @click=${() => act.teach.step()}>${t("teach.one_step")}</button>
         <button id="teach-from" type="button" class="small" ?disabled=${off || busy || page.teach.chosen === null} @click=${() => act.teach.run(true, null)}>${t("teach.from")}</button>
-        ${own && page.station?.job && page.station.job.phase !== "done" ? html`<button id="teach-end" type="button" class="small" @click=${() => act.ask({ type: "cancel_job", job: page.station?.job?.job ?? 0 })}>${t("teach.end")}</button>` : nothing}
+        ${own && page.station?.job && page.station.job.phase !== "done" ? html`<button id="teach-end" type="button" class="small" @click=${() => act.jobs.end(page.station?.job?.job ?? 0)}>${t("teach.end")}</button>` : nothing}
       </div>
       ${own && page.station?.job?.program ? html`<p class="quiet" id="teach-cycle">${t("teach.cycles", { cycles: page.station.job.program.cycles_done, step: page.station.job.program.step, steps: page.station.job.program.steps })}</p>` : nothing}
-      ${why && !(own && why === "job_runs") ? html`<p class="quiet">${t(`blocked.${why}`)}</p>` : nothing}
+      ${why && !(own && why === "job_runs") ? html`<p class="quiet">${blockedLine(context)}</p>` : nothing}
     </section>`;
 }
 

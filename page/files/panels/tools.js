@@ -1,8 +1,9 @@
 // Pump, gripper and laser. Each control sends one command; the display shows what the arm reports.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
-import { blockedReason, laser } from "../state/selectors.js";
-import { formatClock, formatDuration } from "../i18n/i18n.js";
+import { blockedReason, laser, mountedTool } from "../state/selectors.js";
+import { armLaser } from "../views/problem.js";
+import { formatClock } from "../i18n/i18n.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 
@@ -14,6 +15,7 @@ const MOUNTS = /** @type {const} */ ([["suction_cup", "tool.suction_cup"], ["gri
 export function tools({ page, t, act }) {
   const arm = page.station?.arm;
   const why = blockedReason(page) !== null;
+  const mounted = mountedTool(page);
   const shines = laser(page);
   const allowed = page.policy?.laser.allowed ?? true;
   const grip = (/** @type {SubmitEvent} */ event) => {
@@ -46,12 +48,12 @@ export function tools({ page, t, act }) {
         <b id="laser" class="chip" data-tone=${TONES[shines]}>${words[shines]}</b>
         <span class="acts">
           ${shines === "off" ? nothing : html`<button id="disarm" type="button" class="small" @click=${() => act.ask({ type: "disarm_laser" })}>${t("tool.laser.disarm")}</button>`}
-          <button id="arm-laser" type="button" class="small" ?disabled=${why || !allowed} @click=${() => act.question({ about: "arm_laser", values: { time: formatDuration(t, act.arming_s()) } })}>${t("tool.laser.arm")}</button>
+          <button id="arm-laser" type="button" class="small" ?disabled=${why || !allowed} @click=${() => armLaser({ t, act })}>${t("tool.laser.arm")}</button>
         </span>
       </div>
       <div class="tool">
         <span class="name">${t("tool.mounted")}</span>
-        <span class="acts mounts">${MOUNTS.map(([tool, word]) => html`<button type="button" class="small" data-mount=${tool} ?disabled=${why} @click=${() => act.command({ type: "configuration", mode: "end_effector", tool })}>${t(word)}</button>`)}</span>
+        <span class="acts mounts">${MOUNTS.map(([tool, word]) => html`<button type="button" class="small ${tool === mounted ? "strong" : ""}" data-mount=${tool} aria-pressed=${tool === mounted ? "true" : "false"} ?disabled=${why} @click=${() => act.command({ type: "configuration", mode: "end_effector", tool })}>${t(word)}</button>`)}</span>
       </div>
       ${allowed ? nothing : html`<p class="quiet">${t("tool.laser.forbidden")}</p>`}
     </section>`;

@@ -7,13 +7,15 @@
 /**
  * @typedef {object} Jobs
  * @property {readonly JobView[] | null} all In the order of the station; nothing where they are not known yet.
+ * @property {boolean} starting Whether a new job is being created and started.
  * @property {{ job: number, problem: Problem } | null} refused Why the last request was refused.
  */
 
 /** @type {Jobs} */
-export const NO_JOBS = { all: null, refused: null };
+export const NO_JOBS = { all: null, starting: false, refused: null };
 
 /** @typedef {{ type: "jobs", all: readonly JobView[] }
+ * | { type: "job_starting", starting: boolean }
  * | { type: "job_refused", job: number, problem: Problem | null }} JobsMessage */
 
 /** @param {Jobs} jobs @param {import("./message.js").Message} message @returns {Jobs} */
@@ -23,6 +25,8 @@ export function reduceJobs(jobs, message) {
       return NO_JOBS;
     case "jobs":
       return { ...jobs, all: message.all };
+    case "job_starting":
+      return { ...jobs, starting: message.starting };
     case "job_refused":
       return { ...jobs, refused: message.problem && { job: message.job, problem: message.problem } };
     default:

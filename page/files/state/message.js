@@ -12,7 +12,7 @@
  * | { type: "notices", notices: readonly Notice[] }
  * | { type: "notice", notice: Notice }
  * | { type: "filter", text: string }
- * | { type: "closed", needs_token: boolean }
+ * | { type: "closed", needs_token: boolean, is_unknown?: boolean }
  * | { type: "connecting" }
  * | { type: "stop_pressed" }
  * | { type: "stop_late" }
@@ -28,8 +28,10 @@
  * | { type: "ghost_near", near: import("./types.js").Near | null }
  * | { type: "around", around: import("./state.js").Around | null }
  * | { type: "planned", planned: Page["planned"] }
+ * | { type: "adjusts", open: boolean }
  * | { type: "dialed", percent: number | null }
  * | { type: "pad_refused", detail: string | null }
+ * | { type: "flattened" }
  * | { type: "greeted" }
  * | { type: "tab", tab: import("./state.js").Tab }
  * | { type: "language", language: import("./state.js").Language }

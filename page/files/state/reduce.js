@@ -54,7 +54,7 @@ function reduceOwn(page, message) {
     case "connecting":
       return { ...page, connection: page.connection === "token" ? "connecting" : page.connection };
     case "closed":
-      return { ...page, connection: message.needs_token ? "token" : "closed", me: null, question: null };
+      return { ...page, connection: message.needs_token ? "token" : "closed", is_token_unknown: message.is_unknown ?? false, me: null, question: null };
     case "stop_pressed":
       return { ...page, question: null, late_stop: unanswered(page) };
     case "stop_late":
@@ -85,8 +85,12 @@ function reduceOwn(page, message) {
       return { ...page, planned: message.planned };
     case "dialed":
       return { ...page, dialed_percent: message.percent };
+    case "adjusts":
+      return { ...page, adjusts: message.open };
     case "pad_refused":
       return { ...page, pad_refused: message.detail };
+    case "flattened":
+      return { ...page, flattened: true };
     case "greeted":
       return { ...page, greeted: true };
     case "tab":

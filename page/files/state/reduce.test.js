@@ -104,8 +104,8 @@ test("STOP closes a question, so that a later yes does nothing", () => {
 });
 
 test("a refusal of a press is shown until the next press", () => {
-  const refused = after([{ type: "jog_held", axis: "z_minus" }, { type: "jog_held", axis: null }, { type: "jog_refused", axis: "z_minus", detail: "the table" }], OPEN);
-  assert.deepEqual(refused.jog.refused, { axis: "z_minus", detail: "the table" });
+  const refused = after([{ type: "jog_held", axis: "z_minus" }, { type: "jog_held", axis: null }, { type: "jog_refused", axis: "z_minus", problem: { title: "", detail: "the table" } }], OPEN);
+  assert.deepEqual(refused.jog.refused, { axis: "z_minus", problem: { title: "", detail: "the table" } });
   assert.equal(after([{ type: "jog_held", axis: "z_plus" }], refused).jog.refused, null);
 });
 

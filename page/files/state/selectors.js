@@ -16,7 +16,7 @@ const OLD_MS = 500;
 /** Age at which a banner reports it. */
 const VERY_OLD_MS = 2000;
 
-/** Why the arm cannot be moved by hand now: the end of a text key. @typedef {"no_connection" | "no_arm" | "locked" | "others_time" | "stopped" | "not_confirmed" | "job_runs" | "others_control" | "watching_only" | "queueing_only"} BlockedReason */
+/** Why the arm cannot be moved by hand now: the end of a text key. @typedef {"no_connection" | "no_arm" | "locked" | "others_time" | "stopped" | "not_confirmed" | "job_starts" | "job_runs" | "others_control" | "watching_only" | "queueing_only"} BlockedReason */
 
 /** @param {Page} page @returns {BlockedReason | null} */
 export function blockedReason(page) {
@@ -29,6 +29,7 @@ export function blockedReason(page) {
   if (othersTime(page)) return "others_time";
   if (station.stop) return "stopped";
   if (!station.trust.trusted) return "not_confirmed";
+  if (page.jobs.starting) return "job_starts";
   if (station.job?.phase === "running") return "job_runs";
   // The first action takes control if it is free.
   if (station.lease && station.lease.client !== me) return "others_control";
@@ -49,6 +50,13 @@ export const rests = ({ arm }) => arm !== null && !arm.moving;
 
 /** Whether the arm is the station's own virtual arm. @param {Page} page */
 export const isVirtual = ({ station }) => station?.link.address === "virtual:";
+
+/** The mounted tool: that of a virtual arm, or the one set last; an arm that was just switched on assumes the suction cup. @param {Page} page */
+export function mountedTool({ around, station }) {
+  if (around) return around.tool.kind;
+  const setting = station?.settings?.find((command) => command.type === "configuration" && command.mode === "end_effector");
+  return setting?.type === "configuration" && setting.mode === "end_effector" ? setting.tool : "suction_cup";
+}
 
 /** Time without a message in ms, if one was expected; otherwise 0. @param {Page} page */
 export function silence_ms({ station, connection, received_ms, now_ms }) {

@@ -32,6 +32,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
 /**
  * @typedef {object} Page
  * @property {Connection} connection
+ * @property {boolean} is_token_unknown Whether the station does not know the token of this page.
  * @property {number | null} me The station's number for this client.
  * @property {Role | null} role
  * @property {string} person By which name time slots know this page.
@@ -53,6 +54,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {Around | null} around
  * @property {View["planned"]} planned The planned path of the job.
  * @property {number | null} dialed_percent The job speed while the slider moves.
+ * @property {boolean} adjusts Whether a phone shows the speed and height of the job.
  * @property {import("./history.js").History} history
  * @property {import("./jog.js").Jog} jog
  * @property {import("./target.js").Target} target
@@ -67,6 +69,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {import("./packets.js").Packets} packets
  * @property {string | null} pad_refused Why the last packet of the mouse or hand pad was refused.
  * @property {Tab} tab
+ * @property {boolean} flattened Whether the stage became flat because drawing it interrupted a held button.
  * @property {boolean} greeted Whether the welcome card was closed.
  * @property {Language} language
  * @property {Theme} theme
@@ -75,6 +78,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
 /** @param {{ language: Language, theme: Theme, greeted: boolean, program: string }} wish @returns {Page} */
 export const begin = ({ language, theme, greeted, program }) => ({
   connection: "connecting",
+  is_token_unknown: false,
   me: null,
   role: null,
   person: "",
@@ -96,6 +100,7 @@ export const begin = ({ language, theme, greeted, program }) => ({
   around: null,
   planned: null,
   dialed_percent: null,
+  adjusts: false,
   history: NO_HISTORY,
   jog: NO_JOG,
   target: NO_TARGET,
@@ -110,6 +115,7 @@ export const begin = ({ language, theme, greeted, program }) => ({
   packets: NO_PACKETS,
   pad_refused: null,
   tab: "move",
+  flattened: false,
   greeted,
   language,
   theme,

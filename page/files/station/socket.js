@@ -10,6 +10,8 @@ import { SILENT_MS, watchSilence } from "./silence.js";
 /** @typedef {ReturnType<typeof createSocket>} Socket */
 
 const RECONNECT_MS = 1000, CONNECT_MS = 5000;
+/** Requests that need control. Held buttons and pads take it once, when they are pressed: a hold does not take it back. @type {ReadonlySet<Request["type"]>} */
+const NEED_CONTROL = new Set(["step", "arm_laser", "tell_angles", "detect", "start_job", "step_job", "set_job_speed", "set_job_height"]);
 /** @type {Answer} */
 export const NO_CONNECTION = { problem: { type: "no-connection", title: "no connection", detail: "the station cannot be reached at the moment", hint: "the page reconnects automatically" } };
 
@@ -85,26 +87,35 @@ export function createSocket({ store, http }) {
     lose();
     if (event.code === 1008) store.send({ type: "problem", problem: { title: "the station closed the connection", detail: event.reason } });
     const answer = await http.get("api/v1/state", AbortSignal.timeout(SILENT_MS));
-    if (answer?.status === 401) store.send({ type: "closed", needs_token: true });
+    if (answer?.status === 401) store.send({ type: "closed", needs_token: true, is_unknown: http.token() !== null });
     else setTimeout(connect, RECONNECT_MS);
+  }
+
+  /** Takes control if nobody has it, as the first action does. */
+  function takeControlIfFree() {
+    if (store.page.station && !store.page.station.lease) void ask({ type: "take_lease" });
+  }
+
+  /** Sends a request; it always gets an answer. @param {Request} request @returns {Promise<Answer>} */
+  function ask(request) {
+    if (!socket || !isOpen()) return Promise.resolve(NO_CONNECTION);
+    if (NEED_CONTROL.has(request.type)) takeControlIfFree();
+    // A person starts the job here and has seen what it waits for.
+    const { job } = store.page.station ?? {};
+    if ((request.type === "start_job" || request.type === "step_job") && job?.job === request.job && job.waits_for_person) void ask({ type: "confirm_job", job: request.job });
+    const id = lastId += 1;
+    /** @type {Schemas["FromClient"]} */
+    const message = { id, request };
+    socket.send(JSON.stringify(message));
+    return new Promise((resolve) => waiting.set(id, resolve));
   }
 
   return {
     connect,
     isOpen,
+    ask,
+    takeControlIfFree,
     /** Closes the connection; it reopens automatically, under the current name. */
     again: () => socket?.close(),
-    /** Sends a request; it always gets an answer. @param {Request} request @returns {Promise<Answer>} */
-    ask(request) {
-      if (!socket || !isOpen()) return Promise.resolve(NO_CONNECTION);
-      // A person starts the job here and has seen what it waits for.
-      const { job } = store.page.station ?? {};
-      if ((request.type === "start_job" || request.type === "step_job") && job?.job === request.job && job.waits_for_person) void this.ask({ type: "confirm_job", job: request.job });
-      const id = lastId += 1;
-      /** @type {Schemas["FromClient"]} */
-      const message = { id, request };
-      socket.send(JSON.stringify(message));
-      return new Promise((resolve) => waiting.set(id, resolve));
-    },
   };
 }

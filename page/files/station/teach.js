@@ -14,11 +14,8 @@ const CHECK_MS = 200;
 /** @param {number} value */
 const hundredths = (value) => Math.round(value * 100) / 100;
 
-/**
- * @param {Store} store @param {import("./http.js").Http} http @param {import("./socket.js").Socket} socket
- * @param {() => void} takeControlIfFree takes control if no client has it
- */
-export function createTeach(store, http, socket, takeControlIfFree) {
+/** @param {Store} store @param {import("./http.js").Http} http @param {import("./jobs.js").JobRequests} jobs */
+export function createTeach(store, http, jobs) {
   const { send } = store;
   /** @type {number | undefined} */ let timer;
   let seen = store.page.teach.revision, checking = false;
@@ -77,24 +74,18 @@ export function createTeach(store, http, socket, takeControlIfFree) {
     return { x: hundredths(x_mm), y: hundredths(y_mm), z: hundredths(z_mm), rotation: hundredths(rotation_deg) };
   }
 
-  /** A queued job of the program. @param {number} from_step @param {Schemas["Repeat"] | null} times @returns {Promise<number | null>} */
-  async function makeJob(from_step, times) {
+  /** Runs the program as a job. @param {number} from_step @param {Schemas["Repeat"] | null} times @param {"start_job" | "step_job"} [type] */
+  async function run(from_step, times, type) {
     const { text, name } = store.page.teach;
-    takeControlIfFree();
-    const { value, problem } = await http.ask("POST", "api/v1/programs/jobs", { program: { text: titled(text, name), files: {} }, from_step, times });
-    if (problem) {
-      send({ type: "teach_refused", problem });
-      return null;
-    }
-    const { job } = /** @type {Extract<Schemas["Reply"], { type: "job" }>} */ (value).job;
-    send({ type: "teach_job", job });
-    return job;
+    const { job, problem } = await jobs.run("api/v1/programs/jobs", { program: { text: titled(text, name), files: {} }, from_step, times }, type);
+    if (job !== undefined) send({ type: "teach_job", job });
+    send({ type: "teach_refused", problem: problem ?? null });
   }
 
-  /** @param {import("../state/types.js").Request} request */
-  async function ask(request) {
-    const { problem } = await socket.ask(request);
-    send({ type: "teach_refused", problem: problem ?? null });
+  /** The step from which the program runs: that of the chosen row, or the first. */
+  function chosenStep() {
+    const { teach } = store.page;
+    return (teach.chosen === null ? null : stepOf(rowsIn(teach.text)[teach.chosen], teach.report)) ?? 1;
   }
 
   return {
@@ -123,19 +114,12 @@ export function createTeach(store, http, socket, takeControlIfFree) {
       if (await edit([{ type: "move", from, to }], to)) send({ type: "teach_moved", to, of });
     },
     /** Runs it, from the chosen step on or from the first. @param {boolean} fromChosen @param {Schemas["Repeat"] | null} times */
-    async run(fromChosen, times) {
-      const { teach } = store.page;
-      const from = fromChosen && teach.chosen !== null ? stepOf(rowsIn(teach.text)[teach.chosen], teach.report) : 1;
-      const job = await makeJob(from ?? 1, times);
-      if (job !== null) await ask({ type: "start_job", job });
-    },
+    run: (fromChosen, times) => run(fromChosen ? chosenStep() : 1, times),
     /** The next step alone: of the job that waits, or of a new one. */
     async step() {
-      const { teach, station } = store.page;
-      const waits = station?.job?.job === teach.job && ["paused", "queued"].includes(station?.job?.phase ?? "");
-      const from = teach.chosen === null ? 1 : stepOf(rowsIn(teach.text)[teach.chosen], teach.report) ?? 1;
-      const job = waits ? teach.job : await makeJob(from, null);
-      if (job !== null) await ask({ type: "step_job", job });
+      const { teach: { job }, station } = store.page;
+      if (job === null || station?.job?.job !== job) return run(chosenStep(), null, "step_job");
+      send({ type: "teach_refused", problem: await jobs.step(job) ?? null });
     },
     /** A program, or a file of the vendor's programs. @param {File} file */
     async open(file) {

@@ -6,15 +6,14 @@ import { isVeryOld, othersTime, silence_ms } from "../state/selectors.js";
 import { isSamePerson, timeNext, timeNow } from "../state/slots.js";
 import { formatDuration } from "../i18n/i18n.js";
 import { confirmation } from "./confirm.js";
+import { sentence } from "../i18n/problem_text.js";
+import { problemLine } from "./problem.js";
 import { tokenForm } from "./token.js";
 
 /** @typedef {import("./context.js").Context} Context */
 
 /** When the next time slot, and the end of the current one, are announced. */
 const SOON_S = 300, ENDS_S = 60;
-
-/** @param {string} text */
-export const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** @param {Context} context */
 export const banners = (context) => html`${locked(context)}${slot(context)}${stopped(context)}${untrusted(context)}${recording(context)}${token(context)}`;
@@ -98,20 +97,18 @@ function recording({ page, t, act }) {
 }
 
 /** @param {Context} context */
-function problem({ page, t, act }) {
+function problem(context) {
+  const { page, t, act } = context;
   if (!page.problem) return nothing;
-  const { title, detail, hint } = page.problem;
   return html`
     <section id="problem" class="banner" data-tone="bad" role="alert">
-      <p><strong id="problem-title">${sentence(title)}:</strong>
-        <span id="problem-detail">${sentence(detail)}.</span>
-        <em id="problem-hint">${hint ? `${sentence(hint)}.` : ""}</em></p>
+      <p id="problem-text">${problemLine(context, page.problem)}</p>
       <button id="problem-close" type="button" aria-label=${t("close.message")} @click=${() => act.send({ type: "problem_closed" })}>${t("close")}</button>
     </section>`;
 }
 
 /** @param {Context} context */
-const token = ({ page, t, act, connect }) => (page.connection === "token" ? tokenForm(t, t("token.required"), (secret) => act.useToken(secret, connect)) : nothing);
+const token = ({ page, t, act, connect }) => (page.connection === "token" ? tokenForm(t, t(page.is_token_unknown ? "token.unknown" : "token.required"), (secret) => act.useToken(secret, connect)) : nothing);
 
 /** The open question. @param {Context} context */
 export const question = ({ page, t, act }) => (page.question ? confirmation(t, page.question, act.answer) : nothing);

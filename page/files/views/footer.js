@@ -5,6 +5,7 @@ import { live } from "../vendor/lit-html/directives/live.js";
 import { stops } from "../input/stop_button.js";
 import { hasControl } from "../state/selectors.js";
 import { formatDuration } from "../i18n/i18n.js";
+import { jobQuestion } from "./job_question.js";
 
 /** @typedef {import("./context.js").Context} Context */
 /** @typedef {import("../state/types.js").Job} Job */
@@ -30,16 +31,18 @@ function lateStop({ page: { late_stop }, t }) {
 function job({ page, t, act }, job) {
   const { phase, commands, completed, left_s } = job;
   const count = { done: completed, all: commands };
-  const waits = phase === "paused" || phase === "queued";
+  const waits = phase !== "running";
   return html`
     <section id="job" class="job" aria-label=${t("job")}>
-      <p class="title"><strong id="job-name">${job.title}</strong> <span id="job-phase" class="chip" data-tone=${phase === "running" ? "good" : "warn"}>${t(`job.${phase}`)}</span></p>
+      <p class="title"><strong id="job-name">${job.title}</strong> <span id="job-phase" class="chip" role="status" data-tone=${phase === "running" ? "good" : "warn"}>${t(`job.${phase}`)}</span></p>
       <progress id="job-progress" max="1" .value=${commands ? completed / commands : 0} aria-label=${t("job.progress")}></progress>
       <p id="job-left" class="quiet">${left_s === null ? t("job.count", count) : t("job.left", { ...count, left: formatDuration(t, left_s) })}</p>
-      ${waits && job.reason ? html`<p id="job-waits" class="waits" role="status"><span id="job-reason">${job.reason}</span></p>` : nothing}
+      <p id="job-waits" class="waits" role="status" ?hidden=${!waits || !job.reason}><span id="job-reason">${waits ? job.reason : ""}</span></p>
+      ${jobQuestion({ page, t, act }, job)}
       <div class="acts">
-        ${phase === "running" ? html`<button id="pause" type="button" class="small" @click=${() => act.ask({ type: "pause_job" })}>${t("job.pause")}</button>` : nothing}
-        ${waits ? html`<button id="resume" type="button" class="small strong" @click=${() => act.ask({ type: "start_job", job: job.job })}>${t("job.resume")}</button>` : nothing}
+        <button id=${waits ? "resume" : "pause"} type="button" class="small ${waits ? "strong" : ""}" @click=${() => (waits ? act.jobs.start(job.job) : act.jobs.pause(job.job))}>${t(waits ? "job.resume" : "job.pause")}</button>
+        <button id="job-end" type="button" class="small" @click=${() => act.jobs.end(job.job)}>${t("jobs.end")}</button>
+        <button id="job-adjust" type="button" class="small" aria-expanded=${page.adjusts ? "true" : "false"} aria-controls="adjust" @click=${() => act.send({ type: "adjusts", open: !page.adjusts })}>${t("job.adjust")}</button>
         ${adjustment({ page, t, act }, job)}
       </div>
     </section>`;
@@ -61,7 +64,7 @@ function adjustment({ page, t, act }, job) {
     act.send({ type: "dialed", percent: null });
   };
   return html`
-    <fieldset id="adjust" ?disabled=${!hasControl(page)}>
+    <fieldset id="adjust" class=${page.adjusts ? "" : "is-folded"} ?disabled=${page.station?.lease != null && !hasControl(page)}>
       <label>${t("job.speed")} <input id="job-speed" type="range" min="10" max="200" step="5" .value=${live(String(percent))} @input=${dial} @change=${set}></label>
       <output id="job-speed-shown" for="job-speed">${Math.round(percent)} %</output>
       ${job.speed_percent === 100 ? nothing : html`<button id="job-speed-planned" type="button" class="small" @click=${() => act.ask({ type: "set_job_speed", percent: 100 })}>${t("job.as_planned")}</button>`}

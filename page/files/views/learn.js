@@ -3,7 +3,7 @@
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { LESSONS, stepNow } from "../state/learn.js";
-import { sentence } from "./banners.js";
+import { problemText } from "../i18n/problem_text.js";
 
 /** @typedef {import("./context.js").Context} Context */
 
@@ -38,7 +38,7 @@ function student({ page, t, act }) {
     const field = /** @type {HTMLInputElement} */ (/** @type {HTMLFormElement} */ (event.currentTarget).elements.namedItem("student"));
     act.lessons.setStudent(field.value.trim());
   };
-  if (page.learn.student) return html`<p class="row"><span id="lesson-student" class="quiet">${page.learn.reportProblem ? `${sentence(page.learn.reportProblem.detail)}.` : t("learn.student.shown", { name: page.learn.student })}</span> <button id="lesson-not-me" type="button" class="small" @click=${() => act.lessons.setStudent("")}>${t("learn.student.other")}</button></p>`;
+  if (page.learn.student) return html`<p class="row"><span id="lesson-student" class="quiet">${page.learn.reportProblem ? problemText(t, page.learn.reportProblem) : t("learn.student.shown", { name: page.learn.student })}</span> <button id="lesson-not-me" type="button" class="small" @click=${() => act.lessons.setStudent("")}>${t("learn.student.other")}</button></p>`;
   return html`
     <form id="lesson-who" class="row" @submit=${tell}>
       <input name="student" type="text" maxlength="60" required autocomplete="off" aria-label=${t("learn.student")} placeholder=${t("learn.student")}>

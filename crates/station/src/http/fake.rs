@@ -102,7 +102,7 @@ async fn serve(mut messages: mpsc::Receiver<Message>, news: Arc<FakeNews>, asked
                 news.ends.change_rules(|rules| rules.policy = *policy);
                 let _ = reply.send(Ok(()));
             }
-            Message::Planned { .. } => panic!("it plans no jobs"),
+            Message::Planned { .. } | Message::Answered { .. } => panic!("it plans no jobs"),
             Message::Jobs(reply) => {
                 let _ = reply.send(Ok(vec![job(7)]));
             }

@@ -2,7 +2,8 @@
 
 import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
 import { blockedReason, linkProblem } from "../../state/selectors.js";
-import { sentence } from "../../views/banners.js";
+import { sentence } from "../../i18n/problem_text.js";
+import { problemLine } from "../../views/problem.js";
 
 /** @typedef {import("../../views/context.js").Context} Context */
 
@@ -61,9 +62,8 @@ export function armGuide(context) {
 }
 
 /** Why the last change was refused, shown in its section. @param {Context} context @param {import("../../state/set_up.js").Place} place */
-export function refusal({ page }, place) {
-  const { refused } = page.set_up;
+export function refusal(context, place) {
+  const { refused } = context.page.set_up;
   if (refused?.place !== place) return nothing;
-  const { detail, hint } = refused.problem;
-  return html`<p class="status refusal" data-tone="bad" role="alert">${sentence(detail)}. ${hint ? `${sentence(hint)}.` : ""}</p>`;
+  return html`<p class="status refusal" data-tone="bad" role="alert">${problemLine(context, refused.problem)}</p>`;
 }

@@ -4,7 +4,7 @@ import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";
 import { HIGHEST_BLOCK_MM, LEAST_TOUCHES, nextPoint, numbersOf, pointBlockedReason, touchesOf } from "../../state/calibrate.js";
 import { blockedReason } from "../../state/selectors.js";
-import { sentence } from "../../views/banners.js";
+import { problemText } from "../../i18n/problem_text.js";
 import { refusal } from "./arm.js";
 
 /** @typedef {import("../../views/context.js").Context} Context */
@@ -31,8 +31,8 @@ const onSheet = ([x_mm = 0, y_mm = 0]) => [SHEET.wide_mm / 2 - y_mm, SHEET.high_
 /** Moves the focus to an element of the next frame, because the focused one disappears. @param {string} id */
 const focusOn = (id) => requestAnimationFrame(() => document.getElementById(id)?.focus());
 
-/** @param {Problem | null} problem */
-const problemLine = (problem) => (problem ? html`<p class="status" data-tone="bad" role="alert">${sentence(problem.detail)}.</p>` : nothing);
+/** @param {Context["t"]} t @param {Problem | null} problem */
+const problemOf = (t, problem) => (problem ? html`<p class="status" data-tone="bad" role="alert">${problemText(t, problem)}</p>` : nothing);
 
 /** @param {Context} context */
 export function calibrateGuide(context) {
@@ -112,7 +112,7 @@ function printing(context) {
       <button id="calibrate-next" type="submit" class="small strong">${t("calibrate.next")}</button>
       ${leave(context)}
     </form>
-    ${problemLine(bar_refused)}`;
+    ${problemOf(t, bar_refused)}`;
 }
 
 /** The sheet as it lies before the arm, with the point that is next. @param {Context} context */
@@ -132,6 +132,9 @@ function picture({ page, t }) {
     </svg>`;
 }
 
+/** Whether each point of the sheet is recorded. @param {import("../../state/calibrate.js").Calibrate} calibrate */
+const isWhole = (calibrate) => new Set(touchesOf(calibrate).map(({ point }) => point)).size === calibrate.sheet?.points_mm.length;
+
 /** The second step: one point after the other. @param {Context} context */
 function touching(context) {
   const { page, t, act } = context;
@@ -140,7 +143,7 @@ function touching(context) {
   const [x, y] = sheet?.points_mm[point] ?? [];
   const why = pointBlockedReason(page);
   return html`
-    <h3 id="calibrate-point" aria-live="polite">${t("calibrate.point", { point: point + 1, x: x ?? 0, y: y ?? 0 })}</h3>
+    <h3 id="calibrate-point" aria-live="polite">${t(isWhole(page.calibrate) ? "calibrate.all" : "calibrate.point", { point: point + 1, x: x ?? 0, y: y ?? 0 })}</h3>
     ${picture(context)}
     <p class="quiet">${t("calibrate.point.hint")}</p>
     <div class="row">
@@ -155,7 +158,7 @@ function touching(context) {
     </div>
     <p id="calibrate-why" class="quiet">${why ? t(`blocked.${why}`) : ""}</p>
     ${lost ? html`<p id="calibrate-lost" class="status" data-tone="warn" role="alert">${t("calibrate.lost", { lost })}</p>` : nothing}
-    ${problemLine(problem)}
+    ${problemOf(t, problem)}
     ${touches(context)}
     ${fit ? result(context, fit) : nothing}
     ${shown ? review(context, shown) : nothing}`;

@@ -5,7 +5,7 @@ import { live } from "../../vendor/lit-html/directives/live.js";
 import { unlessFocused } from "../../parts/unless_focused.js";
 import { shownPolicy } from "../../state/selectors.js";
 import { isChanged } from "../../state/set_up.js";
-import { sentence } from "../../views/banners.js";
+import { problemText } from "../../i18n/problem_text.js";
 import { refusal } from "./arm.js";
 
 /** @typedef {import("../../views/context.js").Context} Context */
@@ -46,7 +46,7 @@ export function policy(context) {
   const shown = shownPolicy(page), zones = shown?.keep_out ?? {};
   const write = (/** @type {string} */ text) => act.send({ type: "policy_typed", text });
   const changed = isChanged(page.set_up);
-  const statusText = check.type === "bad" ? `${sentence(check.problem.detail)}.` : changed ? t(mayKeep ? "policy.changed" : "policy.admin") : t("policy.in_force");
+  const statusText = check.type === "bad" ? problemText(t, check.problem) : changed ? t(mayKeep ? "policy.changed" : "policy.admin") : t("policy.in_force");
   const tone = check.type === "bad" ? "bad" : changed ? "warn" : "off";
   return html`
     <section class="card" aria-labelledby="policy-title">

@@ -3,6 +3,7 @@
 import { html, nothing } from "../../vendor/lit-html/lit-html.js";
 import { touchBlockedReason } from "../../state/calibrate.js";
 import { bent_mm, PLACES, steep_deg } from "../../state/touch_paper.js";
+import { problemText } from "../../i18n/problem_text.js";
 import { refusal } from "./arm.js";
 
 /** @typedef {import("../../views/context.js").Context} Context */
@@ -65,7 +66,7 @@ function touching(context, places) {
       <button id="paper-leave" type="button" class="small end" @click=${end}>${t("calibrate.leave")}</button>
     </div>
     <p id="paper-why" class="quiet">${why ? t(`blocked.${why}`) : missing > 0 ? t("paper.missing", { missing }) : ""}</p>
-    ${problem ? html`<p id="paper-problem" class="status" data-tone="bad" role="alert">${problem.detail}</p>` : nothing}
+    ${problem ? html`<p id="paper-problem" class="status" data-tone="bad" role="alert">${problemText(t, problem)}</p>` : nothing}
     ${found && plane ? html`
       <div class="made" role="status" id="paper-found">
         <p>${t("paper.found", { z: number(plane.z_mm), slope: number(steep_deg(plane)) })} ${t(places.length > PLACES ? "paper.bent" : "paper.flat", { mm: number(bent_mm(found)) })}</p>
