@@ -100,10 +100,12 @@ export function optionsOf(page) {
   const number = (/** @type {keyof Settings} */ name) => numberOf(/** @type {string} */ (set[name])) ?? undefined;
   const burns = materials.find(({ name }) => name === set.tool)?.tool === "laser";
   const layer = set.layers === "nothing" ? [] : Object.entries(set.pens).map(([name, pen]) => ({ name, pen }));
+  // A text with a height is not scaled: its height is.
+  const letters_mm = what === "text" && !set.fit ? number("height") : undefined;
   const scale = number("scale");
   return /** @type {Schemas["Options"]} */ ({
     what: {
-      ...(what === "text" ? { text, font: set.font, height: number("height") } : {}),
+      ...(what === "text" ? { text, font: set.font, height: letters_mm === undefined ? undefined : (letters_mm * (scale ?? 100)) / 100 } : {}),
       ...(set.layers === "nothing" ? {} : { layers: set.layers, layer }),
       ...(set.hatch ? { hatch: "auto" } : {}),
       ...(isGcode(page.draw) && set.gcode !== "file" ? { gcode: set.gcode } : {}),
@@ -111,7 +113,7 @@ export function optionsOf(page) {
     place: {
       at: [number("x") ?? MIDDLE.x_mm, number("y") ?? MIDDLE.y_mm],
       rotate: number("rotate") ?? 0,
-      ...(set.fit ? { fit: true } : scale === undefined ? {} : { scale: scale / 100 }),
+      ...(set.fit ? { fit: true } : scale === undefined || letters_mm !== undefined ? {} : { scale: scale / 100 }),
       clip: set.clip,
       // The station knows the height of a measured paper.
       pen_down: number("down") ?? (page.draw.paper ? undefined : paperOf(page)),
@@ -124,11 +126,15 @@ export function optionsOf(page) {
 /** Placement from the fields; empty fields keep the planned values. @param {Draw} draw @returns {Lies | null} */
 export function liesOf({ set, planned }) {
   if (!planned || wrongField(set)) return null;
-  return { ...liesBy(set, planned.plan), scale: set.fit || set.scale.trim() === "" ? planned.plan.scale : Number(set.scale) / 100 };
+  return liesBy(set, planned.plan);
 }
 
 /** @param {Settings} set @param {Plan} plan @returns {Lies} */
-const liesBy = (set, { scale }) => ({ x_mm: numberOf(set.x) ?? MIDDLE.x_mm, y_mm: numberOf(set.y) ?? MIDDLE.y_mm, scale, rotate_deg: numberOf(set.rotate) ?? 0 });
+const liesBy = (set, { scale }) => ({
+  x_mm: numberOf(set.x) ?? MIDDLE.x_mm, y_mm: numberOf(set.y) ?? MIDDLE.y_mm,
+  scale: set.fit || set.scale.trim() === "" ? scale : Number(set.scale) / 100,
+  rotate_deg: numberOf(set.rotate) ?? 0,
+});
 
 /** @param {Draw} draw @param {Partial<Draw>} change @returns {Draw} */
 function changed(draw, change) {

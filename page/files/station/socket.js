@@ -11,7 +11,7 @@ import { SILENT_MS, watchSilence } from "./silence.js";
 
 const RECONNECT_MS = 1000, CONNECT_MS = 5000;
 /** Requests that need control. Held buttons and pads take it once, when they are pressed: a hold does not take it back. @type {ReadonlySet<Request["type"]>} */
-const NEED_CONTROL = new Set(["step", "arm_laser", "tell_angles", "detect", "start_job", "step_job", "set_job_speed", "set_job_height"]);
+const NEED_CONTROL = new Set(["step", "arm_laser", "set_angles", "detect", "start_job", "step_job", "set_job_speed", "set_job_height"]);
 /** @type {Answer} */
 export const NO_CONNECTION = { problem: { type: "no-connection", title: "no connection", detail: "the station cannot be reached at the moment", hint: "the page reconnects automatically" } };
 
