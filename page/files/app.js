@@ -49,6 +49,8 @@ import { languageOf, formatDuration, translator } from "./i18n/i18n.js";
 const TICK_MS = 250;
 const KEEP_MS = 300;
 const MESSAGE_MS = 12_000;
+/** Interruptions of a held button after which the stage becomes flat. */
+const MOST_LATE = 2;
 /** Storage key of the program being taught. */
 const PROGRAM = "dobot.program";
 const KEPT = new Set(["language", "theme", "greeted"]);
@@ -142,7 +144,21 @@ function hideMessage() {
 let kept = store.page.teach.text;
 /** @type {number | undefined} */ let keeping;
 
+/** How often a hold ended because the page did not say in time that it lasts. */
+let late = 0;
+
+/** Rendering must not end a hold: it slows down while a button is held, and becomes flat after two interruptions. @param {import("./state/message.js").Message} message */
+function unburden(message) {
+  if (message.type === "jog_held") stage.hold(message.axis !== null);
+  if (message.type !== "jog_refused" || !message.problem.type?.endsWith("/let-go") || part("stage").dataset.shown !== "3d") return;
+  late += 1;
+  if (late < MOST_LATE) return;
+  stage.flatten();
+  store.send({ type: "flattened" });
+}
+
 store.subscribe((page, message) => {
+  unburden(message);
   // The stage needs the report of an arm at rest; the rest of the page does not change.
   if (message.type === "state" && drawn && rendersSame(drawn, page)) drawStage(page, translator(page.language));
   else changed();

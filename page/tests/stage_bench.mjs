@@ -26,6 +26,7 @@ export async function openStage({ viewport = SIZE, webgl = true, ...options } = 
   await once(server, "listening");
   const browser = await launch();
   const context = await visitor(browser, { webgl, viewport, ...options });
+  await context.addInitScript(keepContext);
   const page = await context.newPage();
   const errors = [];
   page.on("pageerror", (error) => errors.push(error.message));
@@ -35,12 +36,23 @@ export async function openStage({ viewport = SIZE, webgl = true, ...options } = 
   await page.goto(`http://127.0.0.1:${server.address().port}/harness/index.html`);
   await page.waitForFunction(() => "stage" in window);
   await page.evaluate((shape) => window.show({ shape, status_s: 0.08 }), CUP);
+  if (webgl) await page.waitForSelector("#stage[data-shown='3d']");
   return {
     page, errors,
     async end() {
       await leave(browser);
       server.close();
     },
+  };
+}
+
+/** Keeps the last WebGL context: without a graphics card its canvas is not in the page. */
+function keepContext() {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+    const context = getContext.call(this, kind, ...more);
+    if (kind === "webgl2") window.gl = context;
+    return context;
   };
 }
 

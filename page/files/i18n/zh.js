@@ -68,6 +68,7 @@ export const zh = {
   "camera.top": "俯视",
   "camera.side": "侧视",
   "camera.tool": "工具",
+  "camera.flattened": "平面视图：三维绘制两次中断了按住的按钮。重新加载页面可恢复三维。",
   "pose": "机械臂位姿",
   "pose.moving": "运动中",
   "pose.at_rest": "静止",

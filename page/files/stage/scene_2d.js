@@ -21,7 +21,7 @@ const HANDLE_PX = 18;
  */
 export function createScene2d(element, outside) {
   const canvas = document.createElement("canvas");
-  element.prepend(canvas);
+
   const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
   /** @type {View | null} */ let view = null;
   /** @type {Joints | null} */ let drawn = null;
@@ -264,11 +264,11 @@ export function createScene2d(element, outside) {
       view = next;
       outside.changed();
     },
-    /** @param {Joints | null} joints @returns {boolean} */
+    /** @param {Joints | null} joints */
     frame(joints) {
       drawn = joints ?? drawn;
       draw();
-      return false;
+      return { rendered: true, again: false };
     },
     /** @param {number} newWidth @param {number} newHeight @param {number} newDensity */
     resize(newWidth, newHeight, newDensity) {

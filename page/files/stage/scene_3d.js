@@ -4,6 +4,7 @@ import {
   Color, Group, MeshStandardMaterial, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderer,
 } from "../vendor/three/three.js";
 import { createArm } from "./arm.js";
+import { createCopy } from "./copy.js";
 import { LENS_DEG, orbit, pan, place, preset, towards, zoom } from "./camera.js";
 import { createKeepOuts, createLimits } from "./keep_outs.js";
 import { createPointerInput } from "./pointer_input.js";
@@ -34,14 +35,18 @@ const METAL = { metal: 0.72, dark: 0.25, accent: 0.35, pin: 0.9, rubber: 0 };
  * @param {boolean} card whether there is a graphics card
  */
 export function createScene3d(element, outside, card) {
-  const canvas = document.createElement("canvas");
-  const renderer = new WebGLRenderer({ canvas, antialias: card, powerPreference: "high-performance" });
+  const source = document.createElement("canvas");
+  const renderer = new WebGLRenderer({ canvas: source, antialias: card, powerPreference: "high-performance", preserveDrawingBuffer: !card });
+  const gl = /** @type {WebGL2RenderingContext} */ (renderer.getContext());
+  // To check them, the page would wait for each shader.
+  renderer.debug.checkShaderErrors = false;
+  const canvas = card ? source : document.createElement("canvas");
+  const copy = card ? null : createCopy(gl, canvas);
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
   // Shadows change only with the arm, not with the camera.
   renderer.shadowMap.autoUpdate = false;
   renderer.toneMapping = NeutralToneMapping;
-  element.prepend(canvas);
 
   const scene = new Scene();
   const lens = new PerspectiveCamera(LENS_DEG, 1, 20, 6000);
@@ -55,7 +60,7 @@ export function createScene3d(element, outside, card) {
     rubber: new MeshStandardMaterial({ roughness: 0.8 }),
   };
   // Not on the scene: table and paper need no reflections, which saves time.
-  const mirrored = createMirrored(renderer);
+  /** @type {ReturnType<typeof createMirrored> | null} */ let mirrored = null;
   const arm = createArm(materials, { foot: true });
   const [table, paper, marks, world] = [createTable(), createPaper(), createMarks(renderer), createWorld()];
   const [keepOuts, limits, trail, planned, drawing, target] = [createKeepOuts(), createLimits(), createTrail(), createPlanned(), createDrawing(), createTarget()];
@@ -66,17 +71,25 @@ export function createScene3d(element, outside, card) {
 
   /** @type {View | null} */ let view = null;
   /** @type {Joints | null} */ let drawn = null;
+  /** The joints of the last frame. @type {Joints | null} */ let last_joints = null;
   /** The joints of the last shadow. @type {Joints | null} */ let shaded = null;
   let aspect = 1;
   let camera = preset("iso", aspect, [200, 0, 0]);
   /** @type {Preset | null} */ let kept = "iso";
   /** @type {{ from: typeof camera, to: typeof camera, since_s: number } | null} */ let swing = null;
+  /** Whether something besides the joints changed after the last frame. */
+  let isStale = true;
+
+  function changed() {
+    isStale = true;
+    outside.changed();
+  }
 
   /** @param {typeof camera} next */
   function look(next) {
     camera = next;
     swing = kept = null;
-    outside.changed();
+    changed();
   }
   const perPixel = () => (2 * camera.away_mm * Math.tan(rad(LENS_DEG / 2))) / Math.max(1, canvas.clientHeight);
   const pointer = (/** @type {{ x: number, y: number }} */ { x, y }) => new Vector2(x, y);
@@ -90,7 +103,7 @@ export function createScene3d(element, outside, card) {
     hover(at) {
       const handle = at && target.under(lens, pointer(at));
       target.light(handle);
-      outside.changed();
+      changed();
       return handle !== null;
     },
     grab(at) {
@@ -147,7 +160,7 @@ export function createScene3d(element, outside, card) {
     arm.group.visible = trail.group.visible = next.arm !== null;
     if (differs("dark", "ghost", "tool", "keepOuts")) paint(next);
     if (drawn) pose(drawn);
-    outside.changed();
+    changed();
   }
 
   /** @param {Joints} joints */
@@ -168,11 +181,24 @@ export function createScene3d(element, outside, card) {
   }
 
   /**
-   * Draws. @param {Joints | null} joints
+   * Draws a frame if something changed and the last one is finished.
+   * @param {Joints | null} joints
    * @param {number} now_s
-   * @returns {boolean} whether the camera is still moving
+   * @returns {{ rendered: boolean, again: boolean }} whether it drew, and whether it has to be called again
    */
   function frame(joints, now_s) {
+    if (copy && !copy.isFinished()) return { rendered: false, again: true };
+    const moves = (joints === null) !== (last_joints === null) || (joints !== null && NAMES.some((name) => joints[name] !== last_joints?.[name]));
+    if (copy && !isStale && !moves && !swing) return { rendered: false, again: false };
+    isStale = false;
+    last_joints = joints;
+    render(joints, now_s);
+    copy?.drawn();
+    return { rendered: true, again: copy !== null || swing !== null };
+  }
+
+  /** @param {Joints | null} joints @param {number} now_s */
+  function render(joints, now_s) {
     if (joints) drawn = joints;
     else if (view) target.show(view, null);
     if (joints) pose(joints);
@@ -188,11 +214,12 @@ export function createScene3d(element, outside, card) {
     target.size(lens);
     lens.updateMatrixWorld();
     renderer.render(scene, lens);
-    return swing !== null;
   }
 
   return {
     kind: /** @type {const} */ ("3d"),
+    /** Whether the shaders are compiled. */
+    isReady: false,
     canvas,
     show,
     frame,
@@ -204,12 +231,13 @@ export function createScene3d(element, outside, card) {
       lens.aspect = aspect;
       lens.updateProjectionMatrix();
       if (kept) camera = preset(kept, aspect, tipOf());
+      isStale = true;
     },
     /** @param {Preset} name @param {number} now_s */
     look(name, now_s) {
       swing = { from: camera, to: preset(name, aspect, tipOf()), since_s: now_s };
       kept = name;
-      outside.changed();
+      changed();
     },
     /** By the keyboard: degrees, pixels, times. */
     turn: (/** @type {number} */ around, /** @type {number} */ up) => look(orbit(camera, around, up)),
@@ -220,12 +248,16 @@ export function createScene3d(element, outside, card) {
       light.sun.castShadow = shadows;
       renderer.shadowMap.needsUpdate = true;
       for (const [name, it] of Object.entries(materials)) {
-        it.envMap = mirrors ? mirrored : null;
+        it.envMap = mirrors ? (mirrored ??= createMirrored(renderer)) : null;
         // Metal without reflections is black.
         it.metalness = mirrors ? METAL[/** @type {keyof typeof METAL} */ (name)] : 0;
         it.needsUpdate = true;
       }
     },
+    /** The canvas of WebGL, which loses its context. */
+    source,
+    /** Compiles the shaders without making the page wait. */
+    compile: () => renderer.compileAsync(scene, lens),
     end() {
       leave();
       marks.end();

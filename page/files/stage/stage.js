@@ -1,13 +1,15 @@
-// The stage: shows a `View` (see `view.js`) in three dimensions, or in two without WebGL. It draws only when something changed
-// and it is visible. Its only own state is the camera and the last reports.
+// The stage: shows a `View` (see `view.js`) in two dimensions, and in three as soon as WebGL is ready. It draws only when
+// something changed and it is visible. Its only own state is the camera and the last reports.
 
 import { createScene3d } from "./scene_3d.js";
 import { createScene2d } from "./scene_2d.js";
 import { Motion } from "./motion.js";
-import { createLimit, createRenderQuality } from "./render_quality.js";
+import { HELD_FRAME_MS, createLimit, createRenderQuality } from "./render_quality.js";
 
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Preset} Preset */
+/** @typedef {ReturnType<typeof createScene3d>} Scene3d */
+/** @typedef {Scene3d | ReturnType<typeof createScene2d>} AnyScene */
 
 /** @type {readonly Preset[]} */
 export const PRESETS = ["iso", "top", "side", "tool"];
@@ -26,8 +28,9 @@ export function createStage(element) {
   let pace = createRenderQuality(true);
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   /** @type {View | null} */ let view = null;
-  let frame = 0, inked = 0, inSight = true;
-  /** @type {ReturnType<typeof createScene3d> | ReturnType<typeof createScene2d>} */ let drawing;
+  let frame = 0, inked = 0, inSight = true, isHeld = false, hasCard = false, isFlat = false;
+  /** @type {AnyScene} */ let drawing;
+  /** The scene that is being prepared. @type {Scene3d | null} */ let next3d = null;
 
   const outside = {
     get still() {
@@ -43,12 +46,13 @@ export function createStage(element) {
   /** @param {number} now_ms */
   function draw(now_ms) {
     frame = 0;
-    if (!isDue(now_ms)) return outside.changed();
+    if (!isDue(now_ms, isHeld && !hasCard ? HELD_FRAME_MS : undefined)) return outside.changed();
     const at = motion.at(performance.now() / 1000);
-    const swings = drawing.frame(at?.joints ?? null, performance.now() / 1000);
-    const again = (at?.moving ?? false) || swings;
-    if (pace.drawn(now_ms, again)) resize();
-    if (again) outside.changed();
+    if (next3d) prepare(next3d, at?.joints ?? null);
+    const { rendered, again: pending } = drawing.frame(at?.joints ?? null, performance.now() / 1000);
+    const again = (at?.moving ?? false) || pending;
+    if (rendered && !isHeld && pace.drawn(now_ms, again)) resize();
+    if (again || next3d?.isReady) outside.changed();
   }
 
   /** Handles a change of visibility: pending changes are drawn when the stage is visible again. */
@@ -61,33 +65,68 @@ export function createStage(element) {
   function resize() {
     const { clientWidth: width, clientHeight: height } = element;
     if (width === 0 || height === 0) return;
-    const quality = pace.quality(devicePixelRatio);
-    if (drawing.kind === "3d") drawing.refine(quality);
-    drawing.resize(width, height, quality.density);
+    size(drawing, pace);
+    if (next3d) size(next3d, createRenderQuality(hasCard));
     outside.changed();
   }
 
-  /** @param {boolean} is3d whether to try three dimensions */
-  function build(is3d) {
-    drawing?.end();
-    const by = is3d ? drawsBy() : "nothing";
-    drawing = by === "nothing" ? createScene2d(element, outside) : createScene3d(element, outside, by === "card");
-    drawing.canvas.setAttribute("aria-hidden", "true");
-    pace = createRenderQuality(by !== "processor");
-    if (drawing.kind === "3d") drawing.canvas.addEventListener("webglcontextlost", lost);
-    element.dataset.shown = drawing.kind;
-    if (view) drawing.show(view);
-    resize();
-    element.dispatchEvent(new CustomEvent("shown", { detail: drawing.kind }));
+  /** @param {AnyScene} scene @param {ReturnType<typeof createRenderQuality>} pace */
+  function size(scene, pace) {
+    const quality = pace.quality(devicePixelRatio);
+    if (scene.kind === "3d") scene.refine(quality);
+    scene.resize(element.clientWidth, element.clientHeight, quality.density);
   }
 
-  /** The graphics context was lost: shows two dimensions until it is restored. @param {Event} event */
-  function lost(event) {
+  /** Replaces what draws. @param {AnyScene} scene */
+  function put(scene) {
+    drawing?.end();
+    drawing = scene;
+    scene.canvas.setAttribute("aria-hidden", "true");
+    element.prepend(scene.canvas);
+    pace = createRenderQuality(scene.kind === "2d" || hasCard);
+    element.dataset.shown = scene.kind;
+    if (view) scene.show(view);
+    resize();
+    element.dispatchEvent(new CustomEvent("shown", { detail: scene.kind }));
+  }
+
+  /** Prepares three dimensions while two are shown: a page that waits for shaders would not hear STOP. */
+  async function raise() {
+    const by = isFlat ? "nothing" : drawsBy();
+    if (by === "nothing" || next3d) return;
+    hasCard = by === "card";
+    const scene = next3d = createScene3d(element, outside, hasCard);
+    scene.source.addEventListener("webglcontextlost", (event) => lost(event, scene));
+    size(scene, createRenderQuality(hasCard));
+    if (view) scene.show(view);
+    await scene.compile();
+    if (next3d !== scene) return scene.end();
+    scene.isReady = true;
+    outside.changed();
+  }
+
+  /** Draws the first frame of three dimensions, and shows it when it is finished. @param {Scene3d} scene @param {import("./view.js").Joints | null} joints */
+  function prepare(scene, joints) {
+    if (!scene.isReady) return;
+    if (scene.frame(joints, performance.now() / 1000).again && !hasCard) return;
+    next3d = null;
+    put(scene);
+  }
+
+  /** Shows two dimensions from now on. */
+  function flatten() {
+    isFlat = true;
+    next3d = null;
+    if (drawing.kind === "3d") put(createScene2d(element, outside));
+  }
+
+  /** The graphics context was lost: shows two dimensions until it is restored. @param {Event} event @param {Scene3d} scene */
+  function lost(event, scene) {
     event.preventDefault();
-    const canvas = /** @type {HTMLCanvasElement} */ (event.target);
-    canvas.addEventListener("webglcontextrestored", () => build(true), { once: true });
+    scene.source.addEventListener("webglcontextrestored", () => void raise(), { once: true });
+    if (next3d === scene) next3d = null;
     // Deferred, because the renderer listens too. The old canvas is kept: it receives the event when the card is back.
-    queueMicrotask(() => build(false));
+    queueMicrotask(() => drawing === scene && put(createScene2d(element, outside)));
   }
 
   /** @param {KeyboardEvent} event */
@@ -118,10 +157,15 @@ export function createStage(element) {
   sight.observe(element);
   document.addEventListener("visibilitychange", turnUp);
   element.addEventListener("keydown", press);
-  build(true);
+  put(createScene2d(element, outside));
+  // After the first picture of the page.
+  requestAnimationFrame(() => setTimeout(() => void raise()));
 
   return {
     look,
+    flatten,
+    /** Whether a jog button is held: without a graphics card, few frames are drawn then. @param {boolean} held */
+    hold: (held) => void (isHeld = held),
     /** @param {View} next */
     show(next) {
       motion.status_s = next.status_s;
@@ -136,7 +180,9 @@ export function createStage(element) {
       if (note.hidden !== (next.note === "")) note.hidden = !note.hidden;
       element.classList.toggle("is-old", next.old);
       if (element.ariaLabel !== next.label) element.ariaLabel = next.label;
-      if (changed) drawing.show(next);
+      if (!changed) return;
+      drawing.show(next);
+      next3d?.show(next);
     },
     end() {
       cancelAnimationFrame(frame);

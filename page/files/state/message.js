@@ -31,6 +31,7 @@
  * | { type: "adjusts", open: boolean }
  * | { type: "dialed", percent: number | null }
  * | { type: "pad_refused", detail: string | null }
+ * | { type: "flattened" }
  * | { type: "greeted" }
  * | { type: "tab", tab: import("./state.js").Tab }
  * | { type: "language", language: import("./state.js").Language }

@@ -89,6 +89,8 @@ function reduceOwn(page, message) {
       return { ...page, adjusts: message.open };
     case "pad_refused":
       return { ...page, pad_refused: message.detail };
+    case "flattened":
+      return { ...page, flattened: true };
     case "greeted":
       return { ...page, greeted: true };
     case "tab":

@@ -69,6 +69,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {import("./packets.js").Packets} packets
  * @property {string | null} pad_refused Why the last packet of the mouse or hand pad was refused.
  * @property {Tab} tab
+ * @property {boolean} flattened Whether the stage became flat because drawing it interrupted a held button.
  * @property {boolean} greeted Whether the welcome card was closed.
  * @property {Language} language
  * @property {Theme} theme
@@ -114,6 +115,7 @@ export const begin = ({ language, theme, greeted, program }) => ({
   packets: NO_PACKETS,
   pad_refused: null,
   tab: "move",
+  flattened: false,
   greeted,
   language,
   theme,

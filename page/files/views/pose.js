@@ -37,7 +37,8 @@ export function pose({ page, t }) {
 }
 
 /** @param {Context} context */
-export const cameras = ({ t, look }) => html`
+export const cameras = ({ page, t, look }) => html`
+  ${page.flattened ? html`<p id="flattened" class="flattened" role="status">${t("camera.flattened")}</p>` : ""}
   <div class="cameras" role="group" aria-label=${t("camera")}>
     ${PRESETS.map((preset) => html`<button type="button" class="small" data-look=${preset} @click=${() => look(preset)}>${t(/** @type {TextKey} */ (`camera.${preset}`))}</button>`)}
   </div>`;
