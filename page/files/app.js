@@ -12,6 +12,7 @@ import { move } from "./panels/move.js";
 import { setUp } from "./panels/set_up.js";
 import { teach } from "./panels/teach.js";
 import { watch } from "./panels/watch.js";
+import { createFrameBudget } from "./parts/frame_budget.js";
 import { keepFocus } from "./parts/keep_focus.js";
 import { isDarkTheme, savePreferences, readPreferences } from "./parts/preferences.js";
 import { createStage } from "./stage/stage.js";
@@ -75,7 +76,19 @@ const viewOf = createViewOf();
 
 let frame = 0;
 /** @type {Page | null} */ let drawn = null;
-const changed = () => (frame ||= requestAnimationFrame(draw));
+const budget = createFrameBudget();
+/** @type {number | undefined} */ let waits;
+
+/** Draws with the next frame; while a button is held, drawing waits until there was time for input. */
+function changed() {
+  if (frame || waits) return;
+  const wait_ms = store.page.jog.held === null ? 0 : budget.wait_ms();
+  if (wait_ms === 0) frame = requestAnimationFrame(draw);
+  else waits = setTimeout(() => {
+    waits = undefined;
+    changed();
+  }, wait_ms);
+}
 
 // Read only on a change: reading `matches` between frames makes Chromium swallow the event.
 let isSystemDark = dark.matches;
@@ -83,6 +96,7 @@ const isDark = (/** @type {Page} */ { theme }) => isDarkTheme(theme, isSystemDar
 
 function draw() {
   frame = 0;
+  budget.begin();
   const { page } = store;
   drawn = page;
   const t = translator(page.language);

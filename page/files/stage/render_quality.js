@@ -21,15 +21,12 @@ const FRAME_MS = 1000 / 60;
 /** Tolerance for screens that are not exactly at 60 Hz. */
 const EARLY_MS = 2;
 
-/** Frame time while a button is held and there is no graphics card: the processor has to say in time that it is still held. */
-export const HELD_FRAME_MS = 150;
-
-/** Limits the frames, to 60 in a second unless a longer frame time is given. @returns {(now_ms: number, frame_ms?: number) => boolean} whether a frame is due; then it has to be drawn */
+/** Limits the frames to 60 in a second. @returns {(now_ms: number) => boolean} whether a frame is due; then it has to be drawn */
 export function createLimit() {
   let due_ms = 0;
-  return (now_ms, frame_ms = FRAME_MS) => {
+  return (now_ms) => {
     if (now_ms < due_ms) return false;
-    due_ms = (now_ms - due_ms < frame_ms ? due_ms : now_ms - EARLY_MS) + frame_ms;
+    due_ms = (now_ms - due_ms < FRAME_MS ? due_ms : now_ms - EARLY_MS) + FRAME_MS;
     return true;
   };
 }

@@ -4,7 +4,8 @@
 import { createScene3d } from "./scene_3d.js";
 import { createScene2d } from "./scene_2d.js";
 import { Motion } from "./motion.js";
-import { HELD_FRAME_MS, createLimit, createRenderQuality } from "./render_quality.js";
+import { createFrameBudget } from "../parts/frame_budget.js";
+import { createLimit, createRenderQuality } from "./render_quality.js";
 
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Preset} Preset */
@@ -25,10 +26,12 @@ export function createStage(element) {
   element.append(note);
   const motion = new Motion();
   const isDue = createLimit();
+  const budget = createFrameBudget();
   let pace = createRenderQuality(true);
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   /** @type {View | null} */ let view = null;
   let frame = 0, inked = 0, inSight = true, isHeld = false, hasCard = false, isFlat = false;
+  /** @type {number | undefined} */ let waits;
   /** @type {AnyScene} */ let drawing;
   /** The scene that is being prepared. @type {Scene3d | null} */ let next3d = null;
 
@@ -37,7 +40,13 @@ export function createStage(element) {
       return still.matches;
     },
     changed() {
-      if (inSight && !document.hidden) frame ||= requestAnimationFrame(draw);
+      if (!inSight || document.hidden || frame || waits) return;
+      const wait_ms = isHeld ? budget.wait_ms() : 0;
+      if (wait_ms === 0) frame = requestAnimationFrame(draw);
+      else waits = setTimeout(() => {
+        waits = undefined;
+        outside.changed();
+      }, wait_ms);
     },
     /** @param {import("./view.js").Target} detail */
     target: (detail) => void element.dispatchEvent(new CustomEvent("target", { detail })),
@@ -46,7 +55,8 @@ export function createStage(element) {
   /** @param {number} now_ms */
   function draw(now_ms) {
     frame = 0;
-    if (!isDue(now_ms, isHeld && !hasCard ? HELD_FRAME_MS : undefined)) return outside.changed();
+    if (!isDue(now_ms)) return outside.changed();
+    budget.begin();
     const at = motion.at(performance.now() / 1000);
     if (next3d) prepare(next3d, at?.joints ?? null);
     const { rendered, again: pending } = drawing.frame(at?.joints ?? null, performance.now() / 1000);
@@ -58,7 +68,9 @@ export function createStage(element) {
   /** Handles a change of visibility: pending changes are drawn when the stage is visible again. */
   function turnUp() {
     cancelAnimationFrame(frame);
+    clearTimeout(waits);
     frame = 0;
+    waits = undefined;
     outside.changed();
   }
 
@@ -164,7 +176,7 @@ export function createStage(element) {
   return {
     look,
     flatten,
-    /** Whether a jog button is held: without a graphics card, few frames are drawn then. @param {boolean} held */
+    /** Whether a jog button is held: then drawing leaves time for input. @param {boolean} held */
     hold: (held) => void (isHeld = held),
     /** @param {View} next */
     show(next) {
@@ -186,6 +198,7 @@ export function createStage(element) {
     },
     end() {
       cancelAnimationFrame(frame);
+      clearTimeout(waits);
       watched.disconnect();
       sight.disconnect();
       document.removeEventListener("visibilitychange", turnUp);

@@ -1,0 +1,29 @@
+// Spaces frames out while a button is held, so that drawing leaves most of the time to input. Pure, except for the clock and a
+// message after each frame.
+
+/** Time for input after a frame, as a multiple of what the frame took. */
+const REST = 3;
+
+/** Calls back after the painting of the current frame. @param {() => void} action */
+function afterPaint(action) {
+  const { port1, port2 } = new MessageChannel();
+  port1.onmessage = () => {
+    port1.close();
+    action();
+  };
+  port2.postMessage(null);
+}
+
+/** @param {() => number} now in ms @param {typeof afterPaint} after */
+export function createFrameBudget(now = () => performance.now(), after = afterPaint) {
+  let free_ms = 0;
+  return {
+    /** How long the next frame has to wait, in ms. */
+    wait_ms: () => Math.max(0, free_ms - now()),
+    /** Measures the frame that begins now. */
+    begin() {
+      const from_ms = now();
+      after(() => (free_ms = now() + REST * (now() - from_ms)));
+    },
+  };
+}
