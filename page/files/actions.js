@@ -212,6 +212,9 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
       if (problem) send({ type: "problem", problem });
     },
 
+    /** Takes the arm's current height as that of the pen on the paper. */
+    useHeight: () => send({ type: "draw_set", set: { down: (store.page.station?.arm?.z_mm ?? 0).toFixed(1) } }),
+
     /** Gives the virtual arm a pen and paper. */
     async addPen() {
       const { problem } = await http.ask("PUT", "api/v1/world", { scene: PEN_SCENE });

@@ -8,6 +8,7 @@ import { listenToKeys } from "./input/keys.js";
 import { createPads } from "./input/pads.js";
 import { draw as drawPanelOf } from "./panels/draw.js";
 import { jobs } from "./panels/jobs.js";
+import { floatingJog } from "./panels/jog.js";
 import { move } from "./panels/move.js";
 import { setUp } from "./panels/set_up.js";
 import { teach } from "./panels/teach.js";
@@ -117,6 +118,7 @@ function renderAll(context) {
   render(toasts(context), part("toasts"));
   render(pose(context), part("numbers"));
   render(cameras(context), part("cameras"));
+  render(floatingJog(context), part("float"));
   render(page.learn.lesson || page.learn.chooses ? learn(context) : welcome(context), part("first"));
   render(tabs(context), part("tabs"));
   render(footer(context), part("foot"));
@@ -214,5 +216,7 @@ followDrawing(store, http);
 followPackets(store, http);
 listenToDrops(part("work"), act.openFile);
 takeToken(http);
+// Where there is room for it beside the arm.
+if (matchMedia("(min-width: 60rem) and (min-height: 40rem)").matches) store.send({ type: "jog_set", set: { floats: true } });
 draw();
 socket.connect();

@@ -9,7 +9,7 @@ const SHARED = process.env.BROWSER_ENDPOINT;
 // a page that the processor draws by way of it takes ten times as long.
 const ARGS = ["--no-sandbox", "--disable-background-networking", "--disable-features=LocalNetworkAccessChecks", ...(process.env.CARD ? [] : ["--disable-gpu", "--enable-unsafe-swiftshader"])];
 /** However busy the machine is. */
-const PATIENCE_MS = 120_000;
+const PATIENCE_MS = Number(process.env.PATIENCE_MS ?? 120_000);
 
 function options(executablePath) {
   if (!existsSync(executablePath)) throw new Error(`there is no Chromium at ${executablePath}: install it, on Debian with apt-get install chromium, or say where it is with CHROMIUM=PATH`);

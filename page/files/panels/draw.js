@@ -1,14 +1,12 @@
-// Draw: source, position, settings, the station's plan, and Start.
+// Draw: source, position, settings and warnings; the plan and Start are at the lower edge.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { player } from "../preview/preview.js";
-import { accepted, formatNames, hasSubject, withFieldNames, wrongField } from "../state/draw.js";
+import { accepted, formatNames, hasSubject, wrongField } from "../state/draw.js";
 import { paperOf } from "../state/paper.js";
-import { blockedReason, isVirtual } from "../state/selectors.js";
-import { problemText, sentence } from "../i18n/problem_text.js";
-import { formatDuration } from "../i18n/i18n.js";
+import { named, startBar } from "./draw_start.js";
 import { sheet } from "./sheet.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
@@ -20,7 +18,7 @@ const LAYERS = /** @type {const} */ (["nothing", "color", "group"]);
 const MOST_WARNINGS = 8;
 
 /** @param {Context} context */
-export const draw = (context) => html`${subject(context)}${place(context)}${way(context)}${plan(context)}${context.page.draw.timeline ? player(context) : nothing}`;
+export const draw = (context) => html`${subject(context)}${place(context)}${way(context)}${warnings(context)}${context.page.draw.timeline ? player(context) : nothing}${startBar(context)}`;
 
 const value = (/** @type {Event} */ event) => /** @type {HTMLInputElement} */ (event.target).value;
 const checked = (/** @type {Event} */ event) => /** @type {HTMLInputElement} */ (event.target).checked;
@@ -76,7 +74,7 @@ function place(context) {
       <div class="row">${check(context, "fit")}${check(context, "clip")}</div>
       <div class="fields">
         ${field(context, "down", "mm", page.draw.paper ? t("draw.measured") : String(paperOf(page)))}
-        <button id="draw-here" type="button" class="small here" title=${t("draw.here.hint")} ?disabled=${!page.station?.arm} @click=${() => act.send({ type: "draw_set", set: { down: (page.station?.arm?.z_mm ?? 0).toFixed(1) } })}>${t("draw.here")}</button>
+        <button id="draw-here" type="button" class="small here" title=${t("draw.here.hint")} ?disabled=${!page.station?.arm} @click=${() => act.useHeight()}>${t("draw.here")}</button>
       </div>
     </section>`;
 }
@@ -111,52 +109,13 @@ function way(context) {
     </section>`;
 }
 
-/** A text of the station, with the page's field names. @param {Context["t"]} t @param {string} text */
-const named = (t, text) => sentence(withFieldNames(t, text));
-
-/** Status text of the plan, and its tone. @param {Context} context @returns {[string, string]} */
-function statusOf({ page, t }) {
-  const { draw } = page;
-  if (wrongField(draw.set)) return [t("target.number"), "off"];
-  switch (draw.phase) {
-    case "nothing":
-      return ["", "off"];
-    case "planning":
-      return [t("draw.planning"), "off"];
-    case "failed":
-      return draw.problem ? [named(t, problemText(t, draw.problem)), "bad"] : [t("draw.cancelled"), "off"];
-    case "planned": {
-      const refused = draw.planned?.plan.refused;
-      if (refused) return [problemText(t, refused), "bad"];
-      const figures = draw.planned?.plan.timeline;
-      const strokes = figures?.passes.reduce((sum, pass) => sum + pass.strokes, 0) ?? 0;
-      const ink_mm = figures?.passes.reduce((sum, pass) => sum + pass.ink_mm, 0) ?? 0;
-      return [t(draw.planned?.plan.burns ? "draw.planned.burn" : "draw.planned", { time: formatDuration(t, figures?.duration_s ?? 0), strokes, ink: (ink_mm / 1000).toFixed(2) }), "good"];
-    }
-  }
-}
-
-/** @param {Context} context */
-function plan(context) {
-  const { page, t, act } = context;
-  const { draw } = page;
-  if (!hasSubject(draw)) return nothing;
-  const [text, tone] = statusOf(context);
-  const why = blockedReason(page);
-  const ready = draw.phase === "planned" && !draw.planned?.plan.refused && draw.drawing !== null && why === null;
-  const warnings = draw.planned?.plan.warnings ?? [];
-  const tool = page.around?.tool.kind;
-  const needsPen = isVirtual(page) && tool !== undefined && tool !== "pen" && !draw.planned?.plan.burns;
+/** What the plan warns of. @param {Context} context */
+function warnings({ page, t }) {
+  const all = page.draw.planned?.plan.warnings ?? [];
+  if (!hasSubject(page.draw) || !all.length) return nothing;
   return html`
     <section class="card" aria-labelledby="draw-plan">
       <h2 id="draw-plan">${t("draw.plan")}</h2>
-      <p id="draw-status" class="status" role="status" data-tone=${tone}>${draw.phase === "planned" && why ? t(`blocked.${why}`) : text}</p>
-      ${warnings.length ? html`<ul id="draw-warnings" class="warnings">${repeat(warnings.slice(0, MOST_WARNINGS), (warning) => warning, (warning) => html`<li>${named(t, warning)}.</li>`)}${warnings.length > MOST_WARNINGS ? html`<li>${t("draw.more", { count: warnings.length - MOST_WARNINGS })}</li>` : nothing}</ul>` : nothing}
-      ${needsPen ? html`<p class="status" data-tone="warn">${t("draw.no_pen")} <button id="draw-pen" type="button" class="small" @click=${() => act.addPen()}>${t("draw.add_pen")}</button></p>` : nothing}
-      <div class="row">
-        <button id="draw-start" type="button" class="strong" ?disabled=${!ready} @click=${() => act.draw("whole")}>${t("draw.start")}</button>
-        <button id="draw-frame" type="button" title=${t("draw.frame.hint")} ?disabled=${!ready} @click=${() => act.draw("frame")}>${t("draw.frame")}</button>
-        ${draw.phase === "planning" ? html`<button id="draw-cancel" type="button" class="end" @click=${() => act.send({ type: "draw_cancelled" })}>${t("draw.cancel")}</button>` : nothing}
-      </div>
+      <ul id="draw-warnings" class="warnings">${repeat(all.slice(0, MOST_WARNINGS), (warning) => warning, (warning) => html`<li>${named(t, warning)}.</li>`)}${all.length > MOST_WARNINGS ? html`<li>${t("draw.more", { count: all.length - MOST_WARNINGS })}</li>` : nothing}</ul>
     </section>`;
 }

@@ -52,6 +52,21 @@ function status(context) {
   return step === null ? t("jog.hint.hold") : t(`jog.hint.step.${frame}`, { step });
 }
 
+/** The tabs in which a person positions the arm. */
+const POSITIONS = new Set(["draw", "teach", "set_up"]);
+
+/** The jog pad over the picture, where no tab has to be changed to move the arm. @param {Context} context */
+export function floatingJog(context) {
+  const { page, t, act } = context;
+  if (!POSITIONS.has(page.tab)) return nothing;
+  const { floats } = page.jog;
+  return html`
+    <div id="jog-float" class="jog-float">
+      <button id="jog-fold" type="button" class="small" aria-expanded=${floats ? "true" : "false"} @click=${() => act.send({ type: "jog_set", set: { floats: !floats } })}>${t(floats ? "jog.fold" : "jog")}</button>
+      ${floats ? jogPanel(context) : nothing}
+    </div>`;
+}
+
 /** @param {Context} context */
 export function jogPanel(context) {
   const { page, t, act, jog } = context;

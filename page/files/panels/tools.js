@@ -1,7 +1,7 @@
 // Pump, gripper and laser. Each control sends one command; the display shows what the arm reports.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
-import { blockedReason, laser } from "../state/selectors.js";
+import { blockedReason, laser, mountedTool } from "../state/selectors.js";
 import { armLaser } from "../views/problem.js";
 import { formatClock } from "../i18n/i18n.js";
 
@@ -15,6 +15,7 @@ const MOUNTS = /** @type {const} */ ([["suction_cup", "tool.suction_cup"], ["gri
 export function tools({ page, t, act }) {
   const arm = page.station?.arm;
   const why = blockedReason(page) !== null;
+  const mounted = mountedTool(page);
   const shines = laser(page);
   const allowed = page.policy?.laser.allowed ?? true;
   const grip = (/** @type {SubmitEvent} */ event) => {
@@ -52,7 +53,7 @@ export function tools({ page, t, act }) {
       </div>
       <div class="tool">
         <span class="name">${t("tool.mounted")}</span>
-        <span class="acts mounts">${MOUNTS.map(([tool, word]) => html`<button type="button" class="small" data-mount=${tool} ?disabled=${why} @click=${() => act.command({ type: "configuration", mode: "end_effector", tool })}>${t(word)}</button>`)}</span>
+        <span class="acts mounts">${MOUNTS.map(([tool, word]) => html`<button type="button" class="small ${tool === mounted ? "strong" : ""}" data-mount=${tool} aria-pressed=${tool === mounted ? "true" : "false"} ?disabled=${why} @click=${() => act.command({ type: "configuration", mode: "end_effector", tool })}>${t(word)}</button>`)}</span>
       </div>
       ${allowed ? nothing : html`<p class="quiet">${t("tool.laser.forbidden")}</p>`}
     </section>`;

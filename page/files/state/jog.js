@@ -6,6 +6,7 @@
 /**
  * @typedef {object} Jog
  * @property {Frame} frame The jog frame: the tip in straight lines, or one joint.
+ * @property {boolean} floats Whether the pad is unfolded over the picture, beside the panels in which the arm is positioned.
  * @property {number | null} step Step of a press in mm or degrees; null for continuous motion.
  * @property {number} speed_percent
  * @property {Axis | null} held
@@ -14,9 +15,9 @@
  */
 
 /** @type {Jog} */
-export const NO_JOG = { frame: "linear", step: null, speed_percent: 30, held: null, waits_until_s: null, refused: null };
+export const NO_JOG = { frame: "linear", floats: false, step: null, speed_percent: 30, held: null, waits_until_s: null, refused: null };
 
-/** @typedef {{ type: "jog_set", set: Partial<Pick<Jog, "frame" | "step" | "speed_percent">> }
+/** @typedef {{ type: "jog_set", set: Partial<Pick<Jog, "frame" | "floats" | "step" | "speed_percent">> }
  * | { type: "jog_held", axis: Axis | null, waits_until_s?: number | null }
  * | { type: "jog_refused", axis: Axis, problem: import("./types.js").Problem }} JogMessage */
 

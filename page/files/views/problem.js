@@ -30,6 +30,12 @@ function remedyOf({ page, t, act }, kind) {
       return station?.job ? ["jobs.end", () => act.jobs.end(station.job?.job ?? 0)] : null;
     case "needs-a-person":
       return station?.job ? ["job.resume", () => act.jobs.start(station.job?.job ?? 0)] : null;
+    case "not-laser":
+      return ["missing.mount_laser", () => void act.command({ type: "configuration", mode: "end_effector", tool: "laser" })];
+    case "no-pen":
+      return ["draw.add_pen", () => void act.addPen()];
+    case "no-height":
+      return ["draw.here", () => act.useHeight()];
     default:
       return null;
   }
@@ -38,17 +44,17 @@ function remedyOf({ page, t, act }, kind) {
 /** The problem types of the reasons that block the arm. */
 const KINDS = /** @type {Record<string, string>} */ ({ others_control: "no-lease", stopped: "stopped", not_confirmed: "not_confirmed", job_runs: "job-running" });
 
-/** @param {Context} context @param {string} kind */
-function button(context, kind) {
-  const remedy = remedyOf(context, kind);
+/** The button that solves a problem type, a missing condition, or a reason that blocks the arm. @param {Context} context @param {string} kind */
+export function remedyButton(context, kind) {
+  const remedy = remedyOf(context, KINDS[kind] ?? kind);
   return remedy ? html`<button type="button" class="small" data-remedy=${kind} @click=${remedy[1]}>${context.t(remedy[0])}</button>` : nothing;
 }
 
 /** A problem with its button. @param {Context} context @param {Problem} problem */
-export const problemLine = (context, problem) => html`${problemText(context.t, problem)} ${button(context, kindOf(problem))}`;
+export const problemLine = (context, problem) => html`${problemText(context.t, problem)} ${remedyButton(context, kindOf(problem))}`;
 
 /** Why the arm cannot be moved by hand now, with a button. @param {Context} context */
 export function blockedLine(context) {
   const why = blockedReason(context.page);
-  return why ? html`${context.t(`blocked.${why}`)} ${button(context, KINDS[why] ?? "")}` : nothing;
+  return why ? html`${context.t(`blocked.${why}`)} ${remedyButton(context, why)}` : nothing;
 }
