@@ -217,6 +217,6 @@ followPackets(store, http);
 listenToDrops(part("work"), act.openFile);
 takeToken(http);
 // Where there is room for it beside the arm.
-if (matchMedia("(min-width: 60rem) and (min-height: 40rem)").matches) store.send({ type: "jog_set", set: { floats: true } });
+if (matchMedia("(min-width: 75rem) and (min-height: 42rem)").matches) store.send({ type: "jog_set", set: { floats: true } });
 draw();
 socket.connect();

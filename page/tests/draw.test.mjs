@@ -47,6 +47,7 @@ async function ink() {
 test("a dropped file is planned, moved by hand, and drawn at its place", async () => {
   await drop("square.svg", SVG);
   await waitForText("Takes ");
+  await page.locator("#sheet-move").evaluate((it) => it.scrollIntoView({ block: "center" }));
   const box = await page.locator("#sheet-move").boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.down();

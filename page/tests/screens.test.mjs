@@ -26,8 +26,7 @@ const isStopFree = (page) => page.evaluate(() => {
 
 /** Whether an element can be brought into sight and pressed there, and nothing lies over it. */
 async function canPress(page, selector) {
-  await page.locator(selector).scrollIntoViewIfNeeded({ timeout: 5000 });
-  await page.click(selector, { trial: true, timeout: 5000 });
+  await page.click(selector, { trial: true });
 }
 
 /** The pressed elements that are smaller than allowed, with their sizes. Links in a text, and sliders across, count by their height. */

@@ -17,7 +17,7 @@ after(async () => {
 afterEach(() => assert.deepEqual([...real.errors, ...virtual.errors], []));
 
 const waitForText = (page, id, part) => page.waitForFunction(([id, part]) => document.getElementById(id)?.textContent.includes(part), [id, part])
-  .catch(async (error) => assert.fail(`${error.message} ${id} says: ${await page.textContent(`#${id}`)}`));
+  .catch(async (error) => assert.fail(`${error.message} ${id} says: ${await page.textContent(`#${id}`)}; ${await page.locator(".refusal").allTextContents()}`));
 const THERE = { x_mm: 220, y_mm: 100, z_mm: 0 };
 
 test("a keep-out in force refuses a target that was free, and is gone when it is removed", async () => {
@@ -88,7 +88,7 @@ test("an invalid policy is reported with its line, cannot be put in force, and t
   const before = await real.ask("api/v1/policy");
   await page.fill("#policy-text", text.replace(/line_mm_s = 200/, "line_mm_s = fast"));
   await page.waitForFunction(() => document.querySelector("#policy-status").dataset.tone === "bad");
-  assert.match(await page.textContent("#policy-status"), /Line \d+/);
+  assert.match(await page.textContent("#policy-status"), /line \d+/);
   assert.equal(await page.isDisabled("#policy-keep"), true);
   await page.click("#policy-forget");
   await waitForText(page, "policy-status", "This policy is in force");
