@@ -1,6 +1,7 @@
 // Wires the station, the state, the stage and the views together.
 
 import { createActions } from "./actions.js";
+import { endEarlyStop } from "./early_stop.js";
 import { listenToDrops } from "./input/file_drop.js";
 import { listenToGamepad } from "./input/gamepad.js";
 import { createJog } from "./input/jog.js";
@@ -215,6 +216,7 @@ followTarget(store, socket);
 followDrawing(store, http);
 followPackets(store, http);
 listenToDrops(part("work"), act.openFile);
+endEarlyStop();
 takeToken(http);
 // Where there is room for it beside the arm.
 if (matchMedia("(min-width: 75rem) and (min-height: 42rem)").matches) store.send({ type: "jog_set", set: { floats: true } });

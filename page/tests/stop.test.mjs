@@ -2,7 +2,7 @@
 // which ones, and STOP_WITHIN_MS within what time of each press the arm has to have its packet: long enough for a busy machine, unless it is said.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { waitForAnswer, isJog, isStop, open, pose, rest, takeControl } from "./bench.mjs";
+import { waitForAnswer, isJog, isStop, open, passed, pose, rest, serveFromDisk, takeControl } from "./bench.mjs";
 import { gesture, hand, numbers, words } from "./gestures.mjs";
 
 const { GESTURES = "60", SEED = "1", STOP_WITHIN_MS = "2000" } = process.env;
@@ -99,4 +99,22 @@ test(`each of ${GESTURES} random presses stops the arm within ${STOP_WITHIN_MS} 
   const at = (share) => took[Math.floor((took.length - 1) * share)]?.toFixed(0);
   t.diagnostic(`from press to packet: median ${at(0.5)} ms, p99 ${at(0.99)} ms, at most ${at(1)} ms; ${took.filter((ms) => ms <= 30).length} of ${GESTURES} within 30 ms`);
   assert.deepEqual(missed, []);
+});
+
+test("STOP works before the page is loaded, by pointer and by key", async () => {
+  for (const press of [(early) => early.click("#stop"), (early) => early.keyboard.press("Escape")]) {
+    const context = await page.context().browser().newContext();
+    await serveFromDisk(context, bench.url);
+    // The rest of the page never comes.
+    await context.route("**/app.js", () => {});
+    const early = await context.newPage();
+    await early.goto(bench.url, { waitUntil: "commit" });
+    while (!(await bench.ask("api/v1/state")).stop) {
+      await press(early);
+      await passed(page, 0.2);
+    }
+    await context.close();
+    await page.waitForSelector("#stopped");
+    await clearStop();
+  }
 });

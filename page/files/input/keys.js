@@ -28,17 +28,18 @@ export function axisOf({ key, ctrlKey, altKey, metaKey, shiftKey }, frame) {
   return JOG_KEYS[frame][key];
 }
 
-/** Stops on Escape and Space wherever the focus is, before any other listener. @param {() => void} stop */
-export function listenToStop(stop) {
+/** Stops on Escape and Space wherever the focus is, before any other listener. @param {() => void} stop @param {AbortSignal} [signal] what ends it */
+export function listenToStop(stop, signal) {
+  const options = { capture: true, signal };
   let byKeys = false, lastWasKey = false;
-  document.addEventListener("pointerdown", () => (byKeys = lastWasKey = false), { capture: true });
-  document.addEventListener("focusin", () => (byKeys = lastWasKey), { capture: true });
+  document.addEventListener("pointerdown", () => (byKeys = lastWasKey = false), options);
+  document.addEventListener("focusin", () => (byKeys = lastWasKey), options);
   document.addEventListener("keydown", (event) => {
     if (event.key !== " ") lastWasKey = true;
     if (!isStop(event.key, document.activeElement, byKeys)) return;
     event.preventDefault();
     if (!event.repeat) stop();
-  }, { capture: true });
+  }, options);
 }
 
 /**

@@ -15,6 +15,7 @@ export function welcome({ page, t, act }) {
       <p><strong id="first-title">${t("first.title")}</strong> ${t("first.text")}</p>
       <div class="row">
         <button id="first-jog" type="button" class="small strong" @click=${() => choose("move")}>${t("first.jog")}</button>
+        <button id="first-draw" type="button" class="small" @click=${() => { choose("draw"); act.send({ type: "draw_text", text: "Dobot" }); }}>${t("first.draw")}</button>
         <button id="first-tour" type="button" class="small" @click=${() => { act.send({ type: "greeted" }); void act.lessons.open("tour"); }}>${t("learn.tour")}</button>
         <button id="first-real" type="button" class="small" @click=${() => choose("set_up")}>${t("first.real")}</button>
         <button id="first-close" type="button" class="small" @click=${() => act.send({ type: "greeted" })}>${t("close")}</button>

@@ -132,6 +132,9 @@ function picture({ page, t }) {
     </svg>`;
 }
 
+/** Whether each point of the sheet is recorded. @param {import("../../state/calibrate.js").Calibrate} calibrate */
+const isWhole = (calibrate) => new Set(touchesOf(calibrate).map(({ point }) => point)).size === calibrate.sheet?.points_mm.length;
+
 /** The second step: one point after the other. @param {Context} context */
 function touching(context) {
   const { page, t, act } = context;
@@ -140,7 +143,7 @@ function touching(context) {
   const [x, y] = sheet?.points_mm[point] ?? [];
   const why = pointBlockedReason(page);
   return html`
-    <h3 id="calibrate-point" aria-live="polite">${t("calibrate.point", { point: point + 1, x: x ?? 0, y: y ?? 0 })}</h3>
+    <h3 id="calibrate-point" aria-live="polite">${t(isWhole(page.calibrate) ? "calibrate.all" : "calibrate.point", { point: point + 1, x: x ?? 0, y: y ?? 0 })}</h3>
     ${picture(context)}
     <p class="quiet">${t("calibrate.point.hint")}</p>
     <div class="row">
