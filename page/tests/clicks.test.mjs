@@ -62,15 +62,15 @@ test("a drawing is burned, paused, resumed and stopped with fourteen clicks, and
   assert.deepEqual(await missing(), ["The mounted tool is not the laser.", "The laser is not armed."]);
   assert.ok(await page.isDisabled("#draw-start"));
   for (const id of ["#draw-start", "#draw-frame"]) assert.ok(await isInSight(id), id);
+  await click("[data-remedy=not-laser]");
+  await page.waitForSelector("[data-remedy=not-laser]", { state: "detached" });
+  await waitForAnswer(page, "api/v1/state", ({ queue }) => queue.waiting + queue.under_way === 0);
   const from = traffic.packets.length;
   await click("#draw-frame");
   await phase("running");
   await waitForAnswer(page, "api/v1/state", ({ job, arm }) => !job && !arm.moving);
   await passed(page, 0.4);
   assert.equal(traffic.packets.slice(from).some(({ floats: [state, axis] }) => state === 4 && axis === 1), false, "the frame burns nothing");
-  await click("[data-remedy=not-laser]");
-  await page.waitForSelector("[data-remedy=not-laser]", { state: "detached" });
-  await waitForAnswer(page, "api/v1/state", ({ queue }) => queue.waiting + queue.under_way === 0);
   await click("[data-remedy=laser-disarmed]");
   await click("#confirm-yes");
   await page.waitForSelector("#draw-start:enabled");

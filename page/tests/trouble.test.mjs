@@ -67,7 +67,7 @@ test("a station killed while a button is held stops the arm, and the page report
   await moved(page, "y_mm", 4);
   const killed = performance.now();
   await bench.restart();
-  await page.waitForFunction(() => document.querySelector("#jog-why").textContent === "The pose is not confirmed." || !document.querySelector("[data-axis=y_plus]").disabled);
+  await page.waitForFunction(() => document.querySelector("#jog-why").textContent.startsWith("The pose is not confirmed.") || !document.querySelector("[data-axis=y_plus]").disabled);
   await page.mouse.up();
   const later = traffic.jogs().filter((it) => it.at > killed).map((it) => it.text);
   // The watchdog lets go; the button that was still held presses nothing.

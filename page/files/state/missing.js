@@ -7,8 +7,8 @@ import { blockedReason, isVirtual, mountedTool } from "./selectors.js";
 /** A condition of the drawing itself. @typedef {"laser-disarmed" | "not-laser" | "no-pen" | "no-height"} Condition */
 /** @typedef {BlockedReason | Condition} Missing */
 
-/** Whether a drawing can start without it: the page cannot see what is at the arm. @type {Readonly<Record<Condition, boolean>>} */
-const OPTIONAL = { "laser-disarmed": false, "not-laser": false, "no-pen": true, "no-height": true };
+/** Whether a drawing can start without it: the page cannot see what is at the arm, and a job sets the tool that it needs. @type {Readonly<Record<Condition, boolean>>} */
+const OPTIONAL = { "laser-disarmed": false, "not-laser": true, "no-pen": true, "no-height": true };
 
 /** Whether it blocks every motion, not only a drawing. @param {Missing} missing @returns {missing is BlockedReason} */
 export const isReason = (missing) => !(missing in OPTIONAL);
