@@ -51,11 +51,11 @@ export const rests = ({ arm }) => arm !== null && !arm.moving;
 /** Whether the arm is the station's own virtual arm. @param {Page} page */
 export const isVirtual = ({ station }) => station?.link.address === "virtual:";
 
-/** The mounted tool: that of a virtual arm, or as the arm was told; an arm that was just switched on has the suction cup. @param {Page} page */
+/** The mounted tool: that of a virtual arm, or the one set last; an arm that was just switched on assumes the suction cup. @param {Page} page */
 export function mountedTool({ around, station }) {
   if (around) return around.tool.kind;
-  const told = station?.settings?.find((command) => command.type === "configuration" && command.mode === "end_effector");
-  return told?.type === "configuration" && told.mode === "end_effector" ? told.tool : "suction_cup";
+  const setting = station?.settings?.find((command) => command.type === "configuration" && command.mode === "end_effector");
+  return setting?.type === "configuration" && setting.mode === "end_effector" ? setting.tool : "suction_cup";
 }
 
 /** Time without a message in ms, if one was expected; otherwise 0. @param {Page} page */
