@@ -69,7 +69,7 @@ test("at a limit the button is released once, and the reason is shown beside it"
   await passed(page, 1.5);
   assert.equal(await pose(page, "z_mm"), stood);
   assert.equal(await buttonAt(page, box), "z_minus");
-  assert.match(await page.textContent("#jog-why"), /^Z−: /);
+  assert.match(await page.textContent("#jog-why"), /^Z−: .*Jog slower/);
   assert.equal(await page.isVisible("#problem"), false);
   await page.mouse.up();
   assert.deepEqual(toldOfButtons(), [AXES.z_minus, RELEASED]);

@@ -1,7 +1,7 @@
 // What a person sets up on the page, judged on what the station then does.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
-import { waitForAnswer, open, takeControl, typeTarget } from "./bench.mjs";
+import { waitForAnswer, open, serveFromDisk, takeControl, typeTarget } from "./bench.mjs";
 
 let real, virtual;
 
@@ -179,4 +179,14 @@ test("the language changes at once, and is kept for the next visit", async () =>
   await page.check("[name=language][value=en]", { force: true });
   await page.check("[name=theme][value=dark]", { force: true });
   await page.waitForFunction(() => document.documentElement.dataset.theme === "dark");
+});
+
+test("a token that the station does not know is reported as unknown, and the page asks for another one", async () => {
+  const context = await virtual.page.context().browser().newContext();
+  await serveFromDisk(context, virtual.url);
+  const page = await context.newPage();
+  await page.goto(`${virtual.url}#token=wrong`);
+  await page.waitForSelector("#token");
+  assert.match(await page.textContent("#token label"), /does not know this token/);
+  await context.close();
 });
