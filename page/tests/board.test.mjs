@@ -188,7 +188,7 @@ test("if the fleet cannot be reached, at least the arm of this station is stoppe
   await page.waitForSelector(".tile");
   const stopped = page.waitForResponse((it) => new URL(it.url()).pathname === "/api/v1/stop");
   await page.click("#stop");
-  await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("The station leaves its fleet."));
+  await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("the station leaves its fleet."));
   await stopped;
   assert.equal(asked(station, "/api/v1/stop").length, 1);
 });
@@ -209,7 +209,7 @@ test("a station that requires a token is shown in its own words, and the given t
   const answer = ({ token, path }) => (token === "secret" || !path.startsWith("/api/v1/fleet") ? undefined : { status: 401, body: DENIED });
   const { page, station } = await open([member("desk-1", { here: true })], { answer });
   await page.waitForSelector("#denied");
-  assert.equal(await text(page, "#denied label"), "The station does not know this token. Make one on its machine.");
+  assert.equal(await text(page, "#denied label"), "The station needs an access token: the station does not know this token. Make one on its machine.");
   await page.fill("#token-field", "secret");
   await page.click("#token button");
   await page.waitForSelector(".tile");

@@ -57,7 +57,7 @@ test("work in doubt shows the reason in the station's words, and goes to another
   const { page, asked } = await open(submitted, answer);
   const give = `${WORK}/${submitted[0].id}/give`;
   assert.equal(await page.textContent("#queue-open"), "Queue: 1, 1 uncertain");
-  assert.equal(await text(page, `${entry("a1")} .reason-note`), "Desk-2 cannot be reached; it may have been drawn.");
+  assert.equal(await text(page, `${entry("a1")} .status-of`), "Desk-2 cannot be reached; it may have been drawn.");
   await page.click(`${entry("a1")} [data-act=reassign]`);
   assert.match(await text(page, "#confirm-text"), /Desk-2 cannot be reached; it may have been drawn\. Look at the paper of desk-2 first/);
   await page.click("#confirm-no");
@@ -75,7 +75,7 @@ test("waiting work is cancelled after a question; a refusal is shown next to the
   await page.click(`${entry("a1")} [data-act=cancel]`);
   await page.click("#confirm-yes");
   await page.waitForSelector(`${entry("a1")} [role=alert]`);
-  assert.match(await text(page, `${entry("a1")} [role=alert]`), /^It is Done; what is waiting/);
+  assert.match(await text(page, `${entry("a1")} [role=alert]`), /: it is Done; what is waiting/);
   assert.equal(asked("DELETE", `${WORK}/${work("a1").id}`).length, 1);
 });
 
@@ -100,7 +100,7 @@ test("a drawing is submitted with its student, its group and available needs, an
   await page.fill("#submit-down", "-40");
   await page.click("#submit-send");
   await page.waitForSelector("#submit [role=alert]");
-  assert.match(await text(page, "#submit [role=alert]"), /No response from the address of the station/);
+  assert.match(await text(page, "#submit [role=alert]"), /no response from the address of the station/);
   isLost = false;
   await page.click("#submit-send");
   await page.waitForSelector("#submitted");
