@@ -125,10 +125,16 @@ export function createStage(element) {
     put(scene);
   }
 
+  /** Gives up the scene that is being prepared; while its shaders are compiled it ends afterwards. */
+  function dropNext() {
+    if (next3d?.isReady) next3d.end();
+    next3d = null;
+  }
+
   /** Shows two dimensions from now on. */
   function flatten() {
     isFlat = true;
-    next3d = null;
+    dropNext();
     if (drawing.kind === "3d") put(createScene2d(element, outside));
   }
 
@@ -203,6 +209,7 @@ export function createStage(element) {
       sight.disconnect();
       document.removeEventListener("visibilitychange", turnUp);
       element.removeEventListener("keydown", press);
+      dropNext();
       drawing.end();
       note.remove();
     },
