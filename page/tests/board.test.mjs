@@ -311,7 +311,7 @@ test("a refusal of slots is shown in the station's words, and the names stay", a
   await page.click("#slots-open");
   await page.fill("#slots-group [name=names]", "Anna");
   await page.click("#slots-group [type=submit]");
-  await page.waitForFunction(() => document.querySelector("#outcome")?.textContent.includes("desk-1: Ends_in_s of Anna is 90000"));
+  await page.waitForFunction(() => document.querySelector("#outcome")?.textContent.includes("desk-1: The time slots are not valid: ends_in_s of Anna is 90000"));
   assert.equal(await page.inputValue("#slots-group [name=names]"), "Anna");
 });
 

@@ -61,6 +61,18 @@ test("one of two pages has control; the other shows the lease holder, and gets c
   await page.waitForFunction(() => document.querySelector("#holder").textContent === "You have control.");
 });
 
+test("a condition that blocks the arm has its button beside it", async () => {
+  const other = await bench.visit({ viewport: { width: 1130, height: 640 } });
+  await other.click("#jog-why [data-remedy=others_control]");
+  await page.click(".give");
+  await other.waitForFunction(() => document.querySelector("#holder").textContent === "You have control.");
+  await other.keyboard.press("Escape");
+  await other.click("#jog-why [data-remedy=stopped]");
+  await other.click("#confirm-yes");
+  await other.waitForSelector("#stopped", { state: "detached" });
+  await other.context().close();
+});
+
 test("a station killed while a button is held stops the arm, and the page reports it and continues with the next station", async () => {
   await page.waitForFunction(() => !document.querySelector("[data-axis=y_plus]").disabled);
   await press(page, "y_plus");
