@@ -4,8 +4,8 @@ use dobot_arm::Position;
 
 use crate::{Model, Trajectory};
 
-/// The waits of an arm whose commands come one per status, each only when its end tells how many
-/// commands are done.
+/// The waits of an arm that gets one command per status, and only commands whose ends show how many
+/// are done.
 ///
 /// After a failure, a station finds the last command that is done by where the arm rests. So it
 /// gives no command that ends where an unfinished one began: the lift after a dot, a line drawn
