@@ -726,7 +726,10 @@ fn each_bad_drawing_is_one_clear_error() {
             &["error: \"standard input\" is not a supported file"],
         ),
         ("<svg".to_owned(), &["1:"]),
-        ("<html/>".to_owned(), &["is not a supported file"]),
+        (
+            "<html/>".to_owned(),
+            &["found an HTML page", "download it again"],
+        ),
         (page(""), &["error: standard input: ", "nothing"]),
         (
             page(r#"<path d="M0 0 L10 10 L NaN 5 L20 20" stroke="red"/>"#),
