@@ -828,6 +828,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/answer": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Answers the question of the running program, which continues with the steps of the answer */
+        post: operations["post_jobs_id_answer"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/places/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /** Gives the running program the position that it waits for, if the policy allows it */
+        put: operations["put_jobs_id_places_name"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/confirm": {
         parameters: {
             query?: never;
@@ -2239,6 +2273,8 @@ export interface components {
             height_mm: number;
             /** @description The progress in steps and cycles, if it is a program. */
             program?: components["schemas"]["ProgramView"] | null;
+            /** @description The question that the job waits for, while the arm is at rest. */
+            question?: components["schemas"]["PendingQuestion"] | null;
         };
         /** @description The kind of job. */
         JobKind: "drawing" | "program";
@@ -2277,6 +2313,67 @@ export interface components {
              *     cycles since the job was last started.
              */
             mean_cycle_s?: number | null;
+        };
+        /** @description A question that the job asks after its last command. */
+        PendingQuestion: {
+            /**
+             * Format: double
+             * @description How long the job waits for the answer, in seconds; absent: until it is answered.
+             */
+            timeout_s?: number | null;
+            /** @description The answer after the timeout; absent: the job is paused then. */
+            otherwise?: components["schemas"]["Answer"] | null;
+        } & ({
+            /** @constant */
+            asks: "choice";
+            /** @description The text shown to people. */
+            text: string;
+            /** @description The possible answers, two or more. */
+            answers: string[];
+            /** @description Who may answer. */
+            by: components["schemas"]["AnsweredBy"];
+        } | {
+            /** @constant */
+            asks: "place";
+            /** @description The name of the position. */
+            name: string;
+        } | {
+            /** @constant */
+            asks: "next_cycle";
+        });
+        /** @description Who may answer a question. */
+        AnsweredBy: "person" | "seen";
+        /** @description The answer to a question. */
+        Answer: {
+            choice: string;
+        } | {
+            place: components["schemas"]["GivenPlace"];
+        } | "skip" | "next_cycle";
+        /** @description A position given to a program: that of the tool's tip in the base frame. */
+        GivenPlace: {
+            /** @description The name under which the program asks for it; if given, it has to be that name. */
+            name?: string | null;
+            /**
+             * Format: double
+             * @description The distance forward of the base axis, in mm.
+             */
+            x_mm: number;
+            /**
+             * Format: double
+             * @description The distance to the left of the base axis, in mm.
+             */
+            y_mm: number;
+            /**
+             * Format: double
+             * @description The height above the rear arm's pivot, in mm.
+             */
+            z_mm: number;
+            /**
+             * Format: double
+             * @description The rotation of the tool, in degrees; default 0.
+             * @default 0
+             */
+            rotation_deg: number;
         };
         /** @description Facts of the arm; valid until the policy or the dialect changes. */
         ArmFacts: {
@@ -2626,6 +2723,22 @@ export interface components {
             job: number;
             /** @description Its phase. */
             phase: components["schemas"]["JobPhase"];
+        } | {
+            /** @constant */
+            type: "job_asks";
+            /**
+             * Format: uint64
+             * @description The job number.
+             */
+            job: number;
+        } | {
+            /** @constant */
+            type: "job_answered";
+            /**
+             * Format: uint64
+             * @description The job number.
+             */
+            job: number;
         } | {
             /** @constant */
             type: "trouble";
@@ -3751,6 +3864,8 @@ export interface components {
             steps?: number[];
             /** @description The repeated commands. */
             repeat?: components["schemas"]["JobRepeat"] | null;
+            /** @description The program, if it asks while it runs. */
+            asking?: components["schemas"]["AskingProgram"] | null;
         };
         /** @description A cycle: the commands at the end of a job that repeat. */
         JobRepeat: {
@@ -3764,6 +3879,32 @@ export interface components {
              * @description The total number of cycles; without it, the job repeats until it is ended.
              */
             times?: number | null;
+        };
+        /**
+         * @description A program that asks while it runs. Its job has the commands up to the next question; the answer
+         *     adds the commands up to the one after it.
+         */
+        AskingProgram: {
+            /** @description Its TOML text. */
+            text: string;
+            /** @description The texts of the programs that it calls, by the names used in it. */
+            files?: {
+                [key: string]: string;
+            };
+            /** @description The commands of its drawings, by file and options. */
+            drawings?: {
+                [key: string]: components["schemas"]["Command"][];
+            };
+            /**
+             * Format: uint
+             * @description The step that it starts at, counted from 0.
+             * @default 0
+             */
+            from_step: number;
+            /** @description The answers given, in order. */
+            answers?: components["schemas"]["Answer"][];
+            /** @description The question asked after the last command; absent if the program ends there. */
+            question?: components["schemas"]["PendingQuestion"] | null;
         };
         /** @description The planned path of a job, once through its commands. */
         JobPath: {
@@ -3790,6 +3931,11 @@ export interface components {
              * @default null
              */
             before: number | null;
+        };
+        /** @description An answer to the question of a job. */
+        ChosenAnswer: {
+            /** @description One of the possible answers. */
+            answer: string;
         };
         /** @description The drawing speed of a job. */
         Speed: {
@@ -3845,6 +3991,11 @@ export interface components {
              *     problems.
              */
             total_s?: number | null;
+            /**
+             * @description Whether the program asks while it runs: then steps and durations are those with the first
+             *     answer to each question.
+             */
+            depends_on_answers: boolean;
         };
         /** @description A step of a program. */
         StepReport: {
@@ -4012,9 +4163,59 @@ export interface components {
             circle?: components["schemas"]["Arc"] | null;
             /** @description Draws a file. */
             drawing?: components["schemas"]["Drawing"] | null;
+            /** @description Asks this question of 1 to 200 characters, and executes the steps of the answer in `when`. */
+            choose?: string | null;
+            /** @description Who answers `choose`: `person` (default), or `seen`: also a camera or another program. */
+            by?: components["schemas"]["AnsweredBy"] | null;
+            /**
+             * Format: uint64
+             * @description Instead of `by`: a counter answers `choose`. Every such time gets the first answer, all
+             *     others the second one, or nothing.
+             */
+            every?: number | null;
+            /**
+             * Format: double
+             * @description How long `choose` waits for the answer, in seconds; without it, until it is answered.
+             */
+            timeout?: number | null;
+            /** @description The answer after the timeout; without it, the job is paused. */
+            otherwise?: string | null;
+            /** @description The answers of `choose`, each with its steps. */
+            when?: components["schemas"]["When"][] | null;
+            /** @description Sets variables to whole numbers. */
+            set?: {
+                [key: string]: number;
+            } | null;
+            /** @description Adds whole numbers to variables. */
+            add?: {
+                [key: string]: number;
+            } | null;
+            /** @description Repeats `steps` while this comparison holds, for example `count < 5`. */
+            while?: components["schemas"]["Condition"] | null;
+            /** @description Picks up the object at a place: from above, down in a straight line, and up again. */
+            pick?: components["schemas"]["Place3"] | null;
+            /** @description Puts the object down at a place. */
+            place?: components["schemas"]["Place3"] | null;
+            /**
+             * Format: double
+             * @description The height above the place from which `pick` and `place` come, 0 to 300 mm; default 20.
+             */
+            approach?: number | null;
+            /**
+             * Format: double
+             * @description The height above the place to which they go afterwards, 0 to 300 mm; default: `approach`.
+             */
+            retreat?: number | null;
+            /**
+             * Format: double
+             * @description The time to hold or release the object, 0 to 60 seconds; default 0.3.
+             */
+            settle?: number | null;
+            /** @description What `pick` does if nothing was picked up, as a person or a camera tells. */
+            on_missed?: components["schemas"]["Missed"] | null;
         };
         /** @description A place: the name of a point or of a grid (for its current cell), or a point itself. */
-        Place3: string | components["schemas"]["Point"];
+        Place3: string | components["schemas"]["Point"] | components["schemas"]["ExternalPlace"];
         /**
          * @description A point: x, y and z in mm, with an optional rotation and frame; or base, rear and fore in
          *     degrees, with an optional servo.
@@ -4062,6 +4263,29 @@ export interface components {
              * @description The servo's angle in degrees; default 0.
              */
             servo?: number | null;
+            /** @description In `go`, `pick` and `place`: the name of a position that is given while the program runs. */
+            from?: string | null;
+            /**
+             * Format: double
+             * @description How long to wait for that position, in seconds; without it, until it is given.
+             */
+            timeout?: number | null;
+            /** @description What to do after the timeout: `pause` the job (default) or `skip` the step. */
+            otherwise?: components["schemas"]["AfterTimeout"] | null;
+        };
+        /** @description What to do if a position is not given in time. */
+        AfterTimeout: "pause" | "skip";
+        /** @description A position that is given while the program runs. */
+        ExternalPlace: {
+            /** @description The name under which it is given, 1 to 40 characters. */
+            from: string;
+            /**
+             * Format: double
+             * @description How long to wait for it, in seconds; without it, until it is given.
+             */
+            timeout?: number | null;
+            /** @description What to do after the timeout. */
+            otherwise: components["schemas"]["AfterTimeout"];
         };
         /** @description A displacement along the axes of a frame, in mm. */
         Offset: {
@@ -4138,9 +4362,9 @@ export interface components {
         /** @description One name, or several. */
         Names: string | string[];
         /**
-         * @description A step. Exactly one of `go`, `laser`, `wait`, `barrier`, `speed`, `tool`, `repeat`, `each`,
-         *     `call`, `arc`, `circle` and `drawing` selects the action; a step with only `suction`, `gripper`
-         *     and `pause` acts at the current position.
+         * @description A step. Exactly one of `go`, `pick`, `place`, `laser`, `wait`, `barrier`, `speed`, `tool`,
+         *     `repeat`, `each`, `while`, `choose`, `set`, `add`, `call`, `arc`, `circle` and `drawing` selects
+         *     the action; a step with only `suction`, `gripper` and `pause` acts at the current position.
          */
         Step: {
             /** @description Goes to a place. */
@@ -4188,6 +4412,56 @@ export interface components {
             circle?: components["schemas"]["Arc"] | null;
             /** @description Draws a file. */
             drawing?: components["schemas"]["Drawing"] | null;
+            /** @description Asks this question of 1 to 200 characters, and executes the steps of the answer in `when`. */
+            choose?: string | null;
+            /** @description Who answers `choose`: `person` (default), or `seen`: also a camera or another program. */
+            by?: components["schemas"]["AnsweredBy"] | null;
+            /**
+             * Format: uint64
+             * @description Instead of `by`: a counter answers `choose`. Every such time gets the first answer, all
+             *     others the second one, or nothing.
+             */
+            every?: number | null;
+            /**
+             * Format: double
+             * @description How long `choose` waits for the answer, in seconds; without it, until it is answered.
+             */
+            timeout?: number | null;
+            /** @description The answer after the timeout; without it, the job is paused. */
+            otherwise?: string | null;
+            /** @description The answers of `choose`, each with its steps. */
+            when?: components["schemas"]["When"][] | null;
+            /** @description Sets variables to whole numbers. */
+            set?: {
+                [key: string]: number;
+            } | null;
+            /** @description Adds whole numbers to variables. */
+            add?: {
+                [key: string]: number;
+            } | null;
+            /** @description Repeats `steps` while this comparison holds, for example `count < 5`. */
+            while?: components["schemas"]["Condition"] | null;
+            /** @description Picks up the object at a place: from above, down in a straight line, and up again. */
+            pick?: components["schemas"]["Place3"] | null;
+            /** @description Puts the object down at a place. */
+            place?: components["schemas"]["Place3"] | null;
+            /**
+             * Format: double
+             * @description The height above the place from which `pick` and `place` come, 0 to 300 mm; default 20.
+             */
+            approach?: number | null;
+            /**
+             * Format: double
+             * @description The height above the place to which they go afterwards, 0 to 300 mm; default: `approach`.
+             */
+            retreat?: number | null;
+            /**
+             * Format: double
+             * @description The time to hold or release the object, 0 to 60 seconds; default 0.3.
+             */
+            settle?: number | null;
+            /** @description What `pick` does if nothing was picked up, as a person or a camera tells. */
+            on_missed?: components["schemas"]["Missed"] | null;
         };
         /**
          * @description An arc or a circle from the current position, given by two more places on it. The arm follows it
@@ -4219,6 +4493,37 @@ export interface components {
             options?: {
                 [key: string]: unknown;
             };
+        };
+        /** @description An answer and its steps. */
+        When: {
+            /** @description The answer, 1 to 40 characters. */
+            answer: string;
+            /**
+             * @description Its steps; none continue with the next step.
+             * @default []
+             */
+            steps: components["schemas"]["Step"][];
+        };
+        /** @description A comparison of a variable with a whole number or another variable: `count < 5`; with <, <=, =, !=, >= or >. */
+        Condition: string;
+        /** @description What to do if nothing was picked up. */
+        Missed: {
+            /**
+             * @description Who can tell: `person` (default) or `seen`, a camera or another program.
+             * @default person
+             */
+            by: components["schemas"]["AnsweredBy"];
+            /**
+             * Format: uint32
+             * @description How often to try again before the steps, 0 to 100; default 0.
+             * @default 0
+             */
+            retries: number;
+            /**
+             * @description The steps if it is still not picked up.
+             * @default []
+             */
+            steps: components["schemas"]["Step"][];
         };
         /** @description A place of a path: the position and the state of the tool. */
         RecordedPlace: {
@@ -4261,6 +4566,13 @@ export interface components {
             data: string | null;
             /** @description The format of the bytes; a text is a program. */
             from?: components["schemas"]["ProgramForm"];
+            /**
+             * @description The texts of the programs that it calls and of its drawings, by the names used in it.
+             * @default {}
+             */
+            files: {
+                [key: string]: string;
+            };
             /** @description The target format. */
             to: components["schemas"]["ProgramForm"];
         };
@@ -6094,6 +6406,16 @@ export interface components {
              * @description The job number.
              */
             job: number;
+        } | {
+            /** @constant */
+            type: "answer_job";
+            /**
+             * Format: uint64
+             * @description The job.
+             */
+            job: number;
+            /** @description The answer. */
+            answer: components["schemas"]["Answer"];
         } | {
             /** @constant */
             type: "confirm_job";
@@ -13205,6 +13527,323 @@ export interface operations {
              * @description - `no-link`: there is no arm
              *     - `ending`: the station is shutting down
              */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `journal`: the journal cannot be written */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_answer: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path: {
+                id: number;
+            };
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "answer": "red"
+                 *     }
+                 */
+                "application/json": components["schemas"]["ChosenAnswer"];
+            };
+        };
+        responses: {
+            /** @description the program continues */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-job`: there is no such job */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-question`: the job does not wait for an answer
+             *     - `lease-gone`: the lease token is no longer valid
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-answer`: the answer does not fit
+             *     - `invalid`: a field is invalid
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `journal`: the journal cannot be written */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_jobs_id_places_name: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path: {
+                id: number;
+                name: string;
+            };
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "x_mm": 200,
+                 *       "y_mm": 50,
+                 *       "z_mm": -20
+                 *     }
+                 */
+                "application/json": components["schemas"]["GivenPlace"];
+            };
+        };
+        responses: {
+            /** @description the program continues */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-job`: there is no such job */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-question`: the job does not wait for an answer
+             *     - `lease-gone`: the lease token is no longer valid
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-answer`: the answer does not fit
+             *     - `invalid`: a field is invalid
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
             503: {
                 headers: {
                     [name: string]: unknown;

@@ -9,7 +9,7 @@ import { html, nothing } from "../vendor/lit-html/lit-html.js";
 export function jobQuestion({ page, t, act }, job) {
   const { question } = job;
   if (!question) return nothing;
-  const answer = (/** @type {object} */ given) => act.ask({ type: "answer_job", job: job.job, answer: given });
+  const answer = (/** @type {import("../api").components["schemas"]["Answer"]} */ given) => act.ask({ type: "answer_job", job: job.job, answer: given });
   if (question.asks === "choice") {
     return html`
       <div id="job-question" class="question" role="group" aria-labelledby="job-asks">
@@ -22,7 +22,7 @@ export function jobQuestion({ page, t, act }, job) {
     event.preventDefault();
     const given = new FormData(/** @type {HTMLFormElement} */ (event.target));
     const [x_mm, y_mm, z_mm] = AXES.map((axis) => Number(given.get(axis)));
-    answer({ place: { name: question.name, x_mm, y_mm, z_mm } });
+    answer({ place: { name: question.name, x_mm, y_mm, z_mm, rotation_deg: 0 } });
   };
   return html`
     <form id="job-question" class="question" aria-labelledby="job-asks" @submit=${give}>
