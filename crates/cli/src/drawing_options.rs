@@ -38,6 +38,7 @@ fn rows() -> Vec<Row> {
             .arg(|arg| arg.value_name("NAME").requires("layers")),
         flag("no_crop"),
         flag("hide"),
+        flag("white_edges"),
         parsed::<Spacing>("hatch", "MM")
             .arg(|arg| arg.num_args(0..=1).default_missing_value("auto")),
         number("hatch_angle", "DEGREES").arg(|arg| arg.requires("hatch")),

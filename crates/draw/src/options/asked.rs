@@ -147,6 +147,7 @@ impl DrawingRequest {
             shading: shading(&options, tool),
             crops: !options.what.no_crop,
             hides: options.what.hide,
+            white_edges: options.what.white_edges,
             join_mm: options.way.join,
             drops_duplicates: options.way.drop_doubles,
             pen_passes: options.tool.passes.unwrap_or(1),

@@ -349,7 +349,7 @@ impl fmt::Display for Purpose {
 }
 
 /// Returns each field, whether it is given, and its purpose. Values set by a material do not count.
-fn given(options: &Options) -> [(&'static str, bool, Purpose); 32] {
+fn given(options: &Options) -> [(&'static str, bool, Purpose); 33] {
     let Options {
         what, place, tool, ..
     } = options;
@@ -381,6 +381,7 @@ fn given(options: &Options) -> [(&'static str, bool, Purpose); 32] {
         ("what.layers", what.layers.is_some(), Purpose::Layers),
         ("what.no_crop", what.no_crop, Purpose::Pages),
         ("what.hide", what.hide, Purpose::Painted),
+        ("what.white_edges", what.white_edges, Purpose::Pages),
         ("place.fit", place.fit, Purpose::Drawings),
         (
             "place.paper_size",

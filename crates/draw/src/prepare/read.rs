@@ -82,6 +82,7 @@ impl<'a> Reading<'a> {
             shading: settings.shading,
             crops: settings.crops,
             hides: settings.hides,
+            white_edges: settings.white_edges,
             fills: settings.hatch.is_some(),
             burns: settings.tool.burns() || settings.tools.iter().any(|(_, tool)| tool.burns()),
             fonts: Arc::clone(&settings.fonts),

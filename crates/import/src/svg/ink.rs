@@ -50,8 +50,19 @@ pub(crate) struct LinePaint {
 pub(crate) struct Dashes {
     pub(crate) lengths: Vec<f64>,
     pub(crate) offset: f64,
-    /// Whether their length on the page is as given, in pixels, however the line is scaled.
-    pub(crate) on_page: bool,
+    /// What their length is measured in.
+    pub(crate) of: DashLength,
+}
+
+/// What the length of dashes is measured in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum DashLength {
+    /// The units of the line.
+    Line,
+    /// Pixels on the page, however the line is scaled.
+    Page,
+    /// The whole length of the path.
+    Path,
 }
 
 /// A painted inside.
@@ -66,4 +77,6 @@ pub(crate) struct FillPaint {
 /// A miter limit, which no pen draws, as a mark of lines with non-scaling strokes: the library
 /// exposes nothing else of them.
 pub(super) const SCREEN_DASHES: f32 = 9_876_543.0;
+/// Another one, of lines whose dashes are fractions of their path.
+pub(super) const PATH_DASHES: f32 = 9_876_544.0;
 pub(super) const PAPER: [u8; 3] = [255; 3];

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use dobot_geometry::{Affine, Area, FillRule, Point, Rect, Stroke, bounds};
 
-use super::ink::{Dashes, FillPaint, Ink, InkColor};
+use super::ink::{DashLength, FillPaint, Ink, InkColor, PAPER};
 use super::layers::Layers;
 use super::renderer::MM_PER_PX;
 use super::warning_count::{WarningCount, WarningKind};
@@ -13,6 +13,7 @@ use crate::artwork::Artwork;
 use crate::clip::{ClipArea, Region};
 use crate::dash::dash;
 use crate::error::SvgError;
+use crate::hidden::CoverPaint;
 use crate::limits::LIMIT_MM;
 use crate::limits::{Budget, MAX_SEGMENTS, OverBudget};
 use crate::options::ReadOptions;
@@ -34,6 +35,10 @@ pub(crate) struct SvgPage {
     pub(crate) layers: Layers,
     /// Whether filled shapes hide what is under them.
     pub(crate) hides: bool,
+    /// Whether the edges of white shapes on darker ones are drawn.
+    draws_white_edges: bool,
+    /// Whether the darker shapes under white ones are needed.
+    pub(crate) tracks_fills: bool,
     fills: bool,
     warnings: BTreeMap<WarningKind, usize>,
 }
@@ -50,6 +55,8 @@ impl SvgPage {
             corners_left: MAX_CLIPPED_CORNERS,
             layers: Layers::new(by),
             hides: options.hides,
+            draws_white_edges: options.hides || options.white_edges,
+            tracks_fills: options.hides,
             fills: options.fills,
             warnings: BTreeMap::new(),
         }
@@ -82,6 +89,13 @@ impl SvgPage {
         Ok((artwork, warnings.collect()))
     }
 
+    /// Spends corners of clipped areas; `false` if there are too few.
+    pub(super) fn take_corners(&mut self, corners: usize) -> bool {
+        let left = self.corners_left.checked_sub(corners);
+        self.corners_left = left.unwrap_or_default();
+        left.is_some()
+    }
+
     pub(crate) fn warn(&mut self, kind: WarningKind, count: usize) {
         if count > 0 {
             *self.warnings.entry(kind).or_default() += count;
@@ -96,27 +110,35 @@ impl SvgPage {
         ink: &Ink,
         clips: &[Rc<Region>],
     ) -> Result<(), SvgError> {
-        if let Some(fill) = ink.fill.filter(|fill| self.hides && fill.is_opaque) {
-            self.cover(&outlines, transform, fill.rule, clips)?;
+        let darker = self.darker_under(&outlines, transform, ink, clips)?;
+        if let Some(fill) = ink.fill {
+            self.cover(&outlines, transform, fill, clips)?;
         }
+        self.white_edges(darker)?;
         let Some(color) = ink.outline() else {
             return Ok(());
         };
-        let mut edges = None;
+        let mut cut = None;
         if let Some(fill) = ink.area() {
-            edges = self.fill(&outlines, transform, fill, clips)?;
+            cut = self.fill(&outlines, transform, fill, clips)?;
         }
-        if ink.line.is_none() {
-            if let Some(edges) = edges {
+        if let Some(CutArea { edges, whole }) = cut {
+            if ink.line.is_none() {
                 return edges
                     .into_iter()
                     .try_for_each(|edge| self.on_page(edge, color));
             }
+            let color = ink.area().map_or(color, |fill| fill.color);
+            for edge in beside_outline(&edges, &whole) {
+                self.on_page(edge, color)?;
+            }
+        } else if ink.line.is_none() {
             outlines.retain(has_area);
             outlines.iter_mut().for_each(close);
         }
+        let whole = outlines.iter().map(Stroke::length_mm).sum();
         for outline in outlines {
-            let (pieces, transform) = self.dashes(outline, transform, ink)?;
+            let (pieces, transform) = self.dashes(outline, whole, transform, ink)?;
             for piece in pieces {
                 if ink.has_ends() || has_length(&piece) {
                     self.stroke(piece, transform, color, clips)?;
@@ -126,28 +148,92 @@ impl SvgPage {
         Ok(())
     }
 
-    /// Hides everything drawn before under the shape.
+    /// The parts of the edge of a white fill that lie on something darker, with its colour.
+    fn darker_under(
+        &mut self,
+        outlines: &[Stroke],
+        transform: Affine,
+        ink: &Ink,
+        clips: &[Rc<Region>],
+    ) -> Result<Vec<(InkColor, Stroke)>, SvgError> {
+        let fill = ink
+            .fill
+            .filter(|fill| self.tracks_fills && fill.color.0 == Some(PAPER));
+        let Some(fill) = fill else {
+            return Ok(Vec::new());
+        };
+        let Some(filled) = self.filled(outlines, transform, fill.rule, clips)? else {
+            return Ok(Vec::new());
+        };
+        let shown = filled.shown.unwrap_or_else(|| filled.whole.clone());
+        let edges = outlines_of(shown);
+        let edges = if ink.line.is_some() {
+            beside_outline(&edges, &filled.whole)
+        } else {
+            edges
+        };
+        let mut darker = Vec::new();
+        for edge in edges {
+            self.budget.spend(edge.points.len())?;
+            match self.layers.covers().darker_under(&edge, &mut self.budget)? {
+                Some(parts) => {
+                    darker.extend(
+                        parts
+                            .into_iter()
+                            .map(|(color, part)| (InkColor(color), part)),
+                    );
+                }
+                None => self.warn(WarningKind::Stacked, 1),
+            }
+        }
+        Ok(darker)
+    }
+
+    /// Draws edges of a white shape on darker ones, or reports that they are not drawn.
+    fn white_edges(&mut self, darker: Vec<(InkColor, Stroke)>) -> Result<(), SvgError> {
+        if !self.draws_white_edges {
+            self.warn(WarningKind::WhiteOnDark, usize::from(!darker.is_empty()));
+            return Ok(());
+        }
+        darker
+            .into_iter()
+            .try_for_each(|(color, edge)| self.on_page(edge, color))
+    }
+
+    /// Notes a fill for what is drawn before it and after it.
     fn cover(
         &mut self,
         outlines: &[Stroke],
         transform: Affine,
-        rule: FillRule,
+        fill: FillPaint,
         clips: &[Rc<Region>],
     ) -> Result<(), SvgError> {
+        let is_paper = fill.color.0 == Some(PAPER);
+        let hides = self.hides && fill.is_opaque;
+        // Where white is translucent, what is under it stays darker.
+        if !hides && (!self.tracks_fills || (is_paper && !fill.is_opaque)) {
+            return Ok(());
+        }
         let mut outlines = outlines.to_vec();
         for outline in &mut outlines {
             self.budget.spend(outline.points.len())?;
             place(&mut outline.points, transform)?;
         }
-        self.layers
-            .cover(ClipArea::new(&outlines, rule, clips.to_vec()));
+        let paint = if is_paper {
+            CoverPaint::Paper
+        } else {
+            CoverPaint::Ink(fill.color.0)
+        };
+        let area = ClipArea::new(&outlines, fill.rule, clips.to_vec());
+        self.layers.cover(area, paint, hides);
         Ok(())
     }
 
-    /// The dashes of an outline, and their transform to the page.
+    /// The dashes of an outline of a path of this length, and their transform to the page.
     fn dashes(
         &mut self,
         mut outline: Stroke,
+        whole: f64,
         transform: Affine,
         ink: &Ink,
     ) -> Result<(Vec<Stroke>, Affine), SvgError> {
@@ -156,14 +242,18 @@ impl SvgPage {
             return Ok((vec![outline], transform));
         };
         let mut rest = transform;
-        if dashes.on_page {
+        if dashes.of == DashLength::Page {
             rest = Affine::scale(MM_PER_PX);
             place(&mut outline.points, rest.inverse() * transform)?;
         }
-        let Dashes {
-            lengths, offset, ..
-        } = dashes;
-        Ok((dash(outline, lengths, *offset, &mut self.budget)?, rest))
+        let unit = if dashes.of == DashLength::Path {
+            whole
+        } else {
+            1.0
+        };
+        let lengths: Vec<f64> = dashes.lengths.iter().map(|length| unit * length).collect();
+        let pieces = dash(outline, &lengths, unit * dashes.offset, &mut self.budget)?;
+        Ok((pieces, rest))
     }
 
     /// Adds the visible part of a stroke to the page.
@@ -216,34 +306,15 @@ impl SvgPage {
         transform: Affine,
         fill: FillPaint,
         clips: &[Rc<Region>],
-    ) -> Result<Option<Vec<Stroke>>, SvgError> {
-        let mut around = bounds([]);
-        let mut rings = Vec::with_capacity(outlines.len());
-        for outline in outlines {
-            let mut ring = outline.points.clone();
-            let ink = place(&mut ring, transform)?;
-            around = around.union(ink);
-            if ring.len() > 2 && ring.first() == ring.last() {
-                ring.pop();
-            }
-            if ring.len() > 2 {
-                rings.push(ring);
-            }
-        }
-        if rings.is_empty() || around.width() <= 0.0 || around.height() <= 0.0 {
+    ) -> Result<Option<CutArea>, SvgError> {
+        let Some(filled) = self.filled(outlines, transform, fill.rule, clips)? else {
             return Ok(None);
-        }
-        let whole = Area {
-            rings,
-            rule: fill.rule,
         };
-        let shown = shown(
-            &whole,
+        let FilledArea {
+            whole,
             around,
-            clips.iter().map(Rc::as_ref),
-            &mut self.budget,
-            &mut self.corners_left,
-        )?;
+            shown,
+        } = filled;
         let edge = self.edge.as_ref().filter(|edge| !edge.holds(around));
         let area = match (&shown, edge) {
             (_, None) | (None, _) => shown.clone(),
@@ -261,8 +332,91 @@ impl SvgPage {
             Some(_) => {}
             None => self.warn(WarningKind::Entangled, 1),
         }
-        Ok(shown.filter(|stroke| *stroke != whole).map(outlines_of))
+        let cut = shown.filter(|shown| *shown != whole).map(outlines_of);
+        Ok(cut.map(|edges| CutArea { edges, whole }))
     }
+
+    /// A filled area in page coordinates, and its part inside clip paths; `None` if it is empty.
+    fn filled(
+        &mut self,
+        outlines: &[Stroke],
+        transform: Affine,
+        rule: FillRule,
+        clips: &[Rc<Region>],
+    ) -> Result<Option<FilledArea>, SvgError> {
+        let mut around = bounds([]);
+        let mut rings = Vec::with_capacity(outlines.len());
+        for outline in outlines {
+            let mut ring = outline.points.clone();
+            let ink = place(&mut ring, transform)?;
+            around = around.union(ink);
+            if ring.len() > 2 && ring.first() == ring.last() {
+                ring.pop();
+            }
+            if ring.len() > 2 {
+                rings.push(ring);
+            }
+        }
+        if rings.is_empty() || around.width() <= 0.0 || around.height() <= 0.0 {
+            return Ok(None);
+        }
+        let whole = Area { rings, rule };
+        let shown = shown(
+            &whole,
+            around,
+            clips.iter().map(Rc::as_ref),
+            &mut self.budget,
+            &mut self.corners_left,
+        )?;
+        Ok(Some(FilledArea {
+            whole,
+            around,
+            shown,
+        }))
+    }
+}
+
+/// A filled area on the page.
+struct FilledArea {
+    whole: Area,
+    around: Rect,
+    /// The part inside its clip paths; `None` if too complex.
+    shown: Option<Area>,
+}
+
+/// A filled area that clip paths cut.
+struct CutArea {
+    edges: Vec<Stroke>,
+    whole: Area,
+}
+
+/// The parts of edges that clip paths cut into an area: those beside its own outline.
+fn beside_outline(edges: &[Stroke], whole: &Area) -> Vec<Stroke> {
+    let rings: Vec<Stroke> = whole.rings.iter().cloned().map(Stroke::open).collect();
+    let outline = ClipArea::new(&rings, whole.rule, Vec::new());
+    let mut parts: Vec<Stroke> = Vec::new();
+    for edge in edges {
+        let (mut is_open, before) = (false, parts.len());
+        for (a, b) in edge.segments() {
+            let is_own = [a, a.midpoint(b), b]
+                .into_iter()
+                .all(|p| outline.is_on_edge(p));
+            match parts.last_mut().filter(|_| is_open) {
+                Some(part) if !is_own => part.points.push(b),
+                _ if !is_own => parts.push(Stroke::open(vec![a, b])),
+                _ => {}
+            }
+            is_open = !is_own;
+        }
+        // The first part goes on where the last one ends.
+        let is_around = is_open && parts.len() > before + 1;
+        if is_around && parts[before].points.first() == edge.points.first() {
+            let last = parts.pop().map_or_else(Vec::new, |last| last.points);
+            let first = std::mem::replace(&mut parts[before].points, last);
+            parts[before].points.extend_from_slice(&first[1..]);
+        }
+    }
+    parts
 }
 
 /// The edge of a page, slightly enlarged: numbers in files are rounded, and half of a line on the

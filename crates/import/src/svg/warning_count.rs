@@ -34,6 +34,8 @@ pub(crate) enum WarningKind {
     Pattern,
     /// A shape with a white fill and without a line.
     Paper,
+    /// One of them that lies on something darker.
+    WhiteOnDark,
     /// A fill that crosses itself too often, or has too many corners with its clip path, for
     /// clipping.
     Entangled,
@@ -43,16 +45,22 @@ pub(crate) enum WarningKind {
     FlowedText,
     /// HTML text (diagram programs).
     ForeignText,
-    /// A shape or a group with a CSS transform.
+    /// A shape or a group transformed around a place in its own box.
     MovedByStyle,
-    /// A shape whose place or size is set by CSS.
-    SizedByStyle,
     /// A CSS clip-path by a basic shape.
     ClippedByStyle,
     /// A shape of another file.
     LinkedShape,
+    /// A style sheet in another file.
+    ExternalSheet,
     /// An ignored rule of a sheet.
-    UnreadRule,
+    IgnoredRule,
+    /// An ignored value of a property.
+    IgnoredValue,
+    /// A copy of a missing element.
+    MissingTarget,
+    /// A line of width 0.
+    WidthZero,
     /// A width or a height of the page that is not a length.
     UnreadSize,
     /// A line with dashes as fractions of its path.
@@ -85,6 +93,10 @@ impl WarningKind {
             ),
             Self::Pattern => ("pattern", "left out; its area is drawn as an area"),
             Self::Paper => ("white shape", "left out, because the paper is white"),
+            Self::WhiteOnDark => (
+                "white shape on a darker one",
+                "its edge is not drawn; draw it with what.white_edges or what.hide",
+            ),
             Self::Entangled => (
                 "filled shape",
                 "not hatched, because it crosses itself too often, or too many corners lie in clip paths",
@@ -99,12 +111,8 @@ impl WarningKind {
                 "left out with its text (HTML); use an option for SVG texts in the program that made the file",
             ),
             Self::MovedByStyle => (
-                "CSS transform",
-                "not supported, drawn without it; save the file as plain SVG",
-            ),
-            Self::SizedByStyle => (
-                "CSS size",
-                "of a shape, or its place: not supported, drawn by its attributes; save the file as plain SVG",
+                "transform-box",
+                "not supported: transformed around a place on the page, not in the shape; save the file as plain SVG",
             ),
             Self::ClippedByStyle => (
                 "CSS clip-path",
@@ -114,15 +122,34 @@ impl WarningKind {
                 "shape",
                 "of another file (use): left out; copy it into this one",
             ),
-            Self::UnreadRule => (
+            Self::ExternalSheet => (
+                "style sheet",
+                "in another file: not read; copy its rules into a <style> element",
+            ),
+            Self::IgnoredRule => (
                 "CSS rule",
-                "ignored, because its selector is not supported or it contains other rules; save the file as plain SVG",
+                "ignored, because its selector or its at-rule is invalid or not supported; save the file as plain SVG",
+            ),
+            Self::IgnoredValue => (
+                "style value",
+                "ignored as in a browser, because it is not one that its property allows",
+            ),
+            Self::MissingTarget => (
+                "copy",
+                "(use) of an element that the file does not have: left out",
+            ),
+            Self::WidthZero => (
+                "line of width 0",
+                "left out as in a browser; set stroke-width above 0 to draw it",
             ),
             Self::UnreadSize => (
                 "page size",
                 "(width or height of <svg>) ignored, because it is not a length such as 200mm; the size is that of the viewBox or of the drawing, in pixels",
             ),
-            Self::SolidPath => ("dashed line", "with pathLength: drawn solid"),
+            Self::SolidPath => (
+                "dashed line",
+                "with pathLength and dashes in percent or em: drawn solid",
+            ),
             Self::TextWithoutFont => (
                 "text",
                 "left out, because no font was found; install a font or convert it to paths",

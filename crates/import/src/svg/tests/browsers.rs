@@ -149,7 +149,7 @@ fn rules_select_elements_by_parts_of_their_attributes_and_by_their_positions() {
     for selector in [
         "[id^='hidden-']",
         "path[id$=two]",
-        "path[id*=-]",
+        "path[id*='-']",
         "path:nth-child(2n+3)",
         "path:last-child",
         "path:not(.shown)",
@@ -170,15 +170,115 @@ fn rules_select_elements_by_parts_of_their_attributes_and_by_their_positions() {
     assert_eq!(lines, LINE);
 }
 
+/// The lengths of the lines of a page, rounded.
+fn lengths(content: &str) -> (Vec<f64>, Vec<String>) {
+    let (strokes, warnings) = draw(content);
+    let lengths = strokes.iter().map(|stroke| stroke.length_mm().round());
+    (
+        lengths.collect(),
+        warnings.iter().map(ToString::to_string).collect(),
+    )
+}
+
 #[test]
-fn rules_inside_a_rule_are_reported_as_not_read() {
-    let (strokes, warnings) =
-        draw(r#"<style>g { path { stroke: blue } }</style><g><path d="M1 1H9" stroke="red"/></g>"#);
-    assert_eq!(strokes.len(), 1);
-    assert!(
-        warnings[0].to_string().starts_with(
-            "1 CSS rule: ignored, because its selector is not supported or it contains other"
+fn a_mask_of_black_and_white_clips() {
+    let line = r#"<g mask="url(#m)"><path d="M0 10H50" stroke="red"/></g>"#;
+    let through = |mask: &str| lengths(&format!("{mask}{line}"));
+    let area = r#"x="0" y="0" width="100" height="50" maskUnits="userSpaceOnUse""#;
+    for (mask, shown) in [
+        (format!(r#"<mask id="m" {area} fill="white"><rect x="20" width="20" height="60"/></mask>"#), vec![20.0]),
+        (
+            format!(r#"<mask id="m" {area}><rect width="99" height="60" fill="white"/><rect x="20" width="20" height="60"/></mask>"#),
+            vec![20.0, 10.0],
         ),
-        "{warnings:?}"
+        (format!(r#"<mask id="m" {area} style="mask-type:alpha"><rect x="20" width="20" height="60" fill="blue"/></mask>"#), vec![20.0]),
+        (
+            format!(r#"<mask id="n" {area}><rect width="30" height="60" fill="white"/></mask><mask id="m" {area} mask="url(#n)"><rect x="20" width="20" height="60" fill="white"/></mask>"#),
+            vec![10.0],
+        ),
+        (r#"<mask id="m" x="0" y="0" width="30" height="50" maskUnits="userSpaceOnUse"><rect width="99" height="60" fill="white"/></mask>"#.to_owned(), vec![30.0]),
+    ] {
+        assert_eq!(through(&mask), (shown, Vec::new()), "{mask}");
+    }
+    for mask in [
+        format!(r#"<mask id="m" {area}><rect width="99" height="60" fill="gray"/></mask>"#),
+        format!(
+            r#"<mask id="m" {area}><rect width="99" height="60" fill="white" opacity=".5"/></mask>"#
+        ),
+        format!(r#"<mask id="m" {area}><path d="M0 0H9" stroke="white" stroke-width="9"/></mask>"#),
+    ] {
+        let (shown, warnings) = through(&mask);
+        assert_eq!(shown, [50.0], "{mask}");
+        assert_eq!(
+            warnings,
+            ["1 mask: ignored; what it hides is drawn"],
+            "{mask}"
+        );
+    }
+}
+
+#[test]
+fn dashes_of_a_path_with_a_length_are_shares_of_it() {
+    for (path, shown) in [
+        (
+            r#"<path d="M0 10H60" pathLength="6" stroke-dasharray="2 1" stroke="red"/>"#,
+            vec![20.0, 20.0],
+        ),
+        (
+            r#"<g stroke-dasharray="1"><path d="M0 10H60" pathLength="4" style="stroke:red;stroke-dashoffset:-1"/></g>"#,
+            vec![15.0, 15.0],
+        ),
+        (
+            r#"<circle cx="50" cy="25" r="10" fill="none" pathLength="2" stroke-dasharray="1" stroke="red"/>"#,
+            vec![31.0],
+        ),
+        (
+            r#"<path d="M0 10H60" pathLength="0" stroke-dasharray="2" stroke="red"/>"#,
+            vec![60.0],
+        ),
+        (
+            r#"<path d="M0 10H30" pathLength="-1" stroke-dasharray="10 20" stroke="red"/>"#,
+            vec![10.0],
+        ),
+    ] {
+        assert_eq!(lengths(path), (shown, Vec::new()), "{path}");
+    }
+}
+
+#[test]
+fn an_image_that_is_an_svg_file_is_drawn() {
+    let inner = "<svg xmlns='http://www.w3.org/2000/svg' width='10' height='10'><path d='M0 5H20' style='STROKE:red'/></svg>";
+    let data = inner.replace('<', "%3C").replace('>', "%3E");
+    let image = |data: &str| {
+        format!(r#"<image x="10" y="10" width="20" height="20" href="data:image/svg+xml,{data}"/>"#)
+    };
+    let (shown, warnings) = lengths(&image(&data));
+    assert_eq!((shown, warnings), (vec![20.0], Vec::new()));
+    // An image in an image, damage, and what cannot be drawn.
+    let nested = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='10' height='10'><path d='M0 5H10L' stroke='red'/><image width='5' height='5' href='data:image/svg+xml,x'/></svg>"
+    );
+    let data = nested.replace('<', "%3C").replace('>', "%3E");
+    let (shown, warnings) = lengths(&image(&data));
+    assert_eq!(shown, [20.0]);
+    assert_eq!(warnings.len(), 2, "{warnings:?}");
+    assert!(
+        warnings
+            .iter()
+            .any(|text| text.starts_with("1 image: left out"))
+    );
+    assert!(
+        warnings
+            .iter()
+            .any(|text| text.starts_with("1 invalid path: drawn up to there"))
+    );
+    let (_, warnings) = draw(&format!(
+        "{}{}",
+        image("broken"),
+        r#"<path d="M0 0H9" stroke="red"/>"#
+    ));
+    assert_eq!(
+        warnings[0].to_string(),
+        "1 image: left out; trace it to paths"
     );
 }
