@@ -16,6 +16,11 @@ pub(super) fn refuse_foreign(bytes: &[u8]) -> Result<(), SourceError> {
             "Inkscape opens it and saves it as SVG, and so do `ps2pdf in.eps in.pdf` and `pdftocairo -svg in.pdf out.svg`",
         ),
         (
+            is_html(start),
+            "an HTML page",
+            "download the file itself: the address leads to a page about it, or to an error",
+        ),
+        (
             start.starts_with(b"8BPS") || start.starts_with(b"gimp xcf"),
             "a project file of an image editor",
             "export it as PNG",
@@ -43,5 +48,33 @@ pub(super) fn refuse_foreign(bytes: &[u8]) -> Result<(), SourceError> {
     match kinds.into_iter().find(|kind| kind.0) {
         Some((_, what, way)) => Err(SourceError::Foreign { what, way }),
         None => Ok(()),
+    }
+}
+
+/// Whether a file is a web page, which a browser saves under any name.
+fn is_html(start: &[u8]) -> bool {
+    let text = String::from_utf8_lossy(start).to_ascii_lowercase();
+    let text = text.trim_start_matches('\u{feff}').trim_start();
+    let is_tag = |rest: &str| rest.starts_with(|sign: char| sign == '>' || sign.is_whitespace());
+    text.starts_with("<!doctype html") || text.strip_prefix("<html").is_some_and(is_tag)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_web_page_under_another_name_is_recognised() {
+        for page in [
+            "<!DOCTYPE html><html>",
+            "\u{feff}\n<HTML lang='en'><br>",
+            "<html></html>",
+        ] {
+            let error = refuse_foreign(page.as_bytes()).expect_err("a web page");
+            assert!(error.to_string().contains("an HTML page"), "{error}");
+        }
+        for other in ["<svg/>", "<!DOCTYPE svg><svg/>", "<htmlish/>"] {
+            assert!(refuse_foreign(other.as_bytes()).is_ok(), "{other}");
+        }
     }
 }
