@@ -37,7 +37,7 @@ impl Covers {
         &self,
         edge: &Stroke,
         budget: &mut Budget,
-    ) -> Result<Option<Vec<(Option<[u8; 3]>, Stroke)>>, OverBudget> {
+    ) -> Result<Option<Vec<ColoredStroke>>, OverBudget> {
         let around = bounds(edge.points.iter().copied());
         if !budget.take_looks(LOOKS_FOR_COVER + self.0.len()) {
             return Ok(None);
@@ -251,6 +251,9 @@ impl Sight {
         Some(over)
     }
 }
+
+/// A line with its colour; `None` for a pattern.
+pub(crate) type ColoredStroke = (Option<[u8; 3]>, Stroke);
 
 /// What an area is painted with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -8,6 +8,7 @@ mod edits;
 mod entities;
 mod expand;
 mod flatten;
+mod foreign_text;
 mod groups;
 mod handles;
 mod ink;
@@ -16,6 +17,7 @@ mod letters;
 mod mask;
 mod page;
 mod page_size;
+mod pattern;
 mod points;
 mod readable;
 mod renderer;
@@ -25,7 +27,7 @@ mod unread;
 mod warning_count;
 
 use std::borrow::Cow;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -35,7 +37,7 @@ use usvg::roxmltree::{Document, Node};
 use usvg::{FontResolver, ImageHrefResolver, ImageKind, Tree};
 
 use self::check::Damage;
-use self::css::Styles;
+use self::css::{Found, Styles};
 use self::groups::Groups;
 use self::page::SvgPage;
 use self::points::lone_coordinates;
@@ -121,8 +123,6 @@ struct TreeWarnings<'a> {
     flowed: AtomicUsize,
     foreign: AtomicUsize,
     clipped: AtomicUsize,
-    linked: AtomicUsize,
-    missing_targets: AtomicUsize,
     fontless: AtomicUsize,
     missing_glyphs: AtomicUsize,
     /// The warnings of images that are SVG files.
@@ -139,8 +139,6 @@ impl<'a> TreeWarnings<'a> {
             flowed: AtomicUsize::new(0),
             foreign: AtomicUsize::new(0),
             clipped: AtomicUsize::new(0),
-            linked: AtomicUsize::new(0),
-            missing_targets: AtomicUsize::new(0),
             fontless: AtomicUsize::new(0),
             missing_glyphs: AtomicUsize::new(0),
             inner: Mutex::default(),
@@ -236,19 +234,6 @@ impl<'a> TreeWarnings<'a> {
         };
         let clipped = elements().filter(is_clipped);
         self.clipped.fetch_add(clipped.count(), Ordering::Relaxed);
-        let ids: HashSet<&str> = elements().filter_map(|node| node.attribute("id")).collect();
-        for element in elements().filter(|element| named(element, "use")) {
-            let mut attributes = element.attributes();
-            let target = attributes.find(|attribute| attribute.name() == "href");
-            let Some(target) = target.map(|target| target.value().trim()) else {
-                continue;
-            };
-            match target.strip_prefix('#') {
-                None => count::<()>(&self.linked),
-                Some(id) if !ids.contains(id) => count(&self.missing_targets),
-                Some(_) => None,
-            };
-        }
     }
 
     fn warn(&self, warnings: &mut Vec<WarningCount>) {
@@ -257,8 +242,6 @@ impl<'a> TreeWarnings<'a> {
             (WarningKind::FlowedText, &self.flowed),
             (WarningKind::ForeignText, &self.foreign),
             (WarningKind::ClippedByStyle, &self.clipped),
-            (WarningKind::LinkedShape, &self.linked),
-            (WarningKind::MissingTarget, &self.missing_targets),
             (WarningKind::TextWithoutFont, &self.fontless),
             (WarningKind::MissingGlyph, &self.missing_glyphs),
         ];
@@ -311,10 +294,20 @@ fn rewritten(doc: &Document<'_>, text: &str) -> Result<(Option<String>, FileFact
         text: new,
         warnings: counts,
     } = Readable::of(doc, text, &styles, edits);
+    let mut unread = UnreadPlaces::of(doc, text, &styles);
+    for (kind, found) in &counts {
+        if let Some(at) = found.first {
+            unread.note(*kind, doc.text_pos_at(at).into());
+        }
+    }
+    let count = |(kind, found): (WarningKind, Found)| WarningCount {
+        kind,
+        count: found.count,
+    };
     let facts = FileFacts {
         warnings: lone_coordinates(doc).into_iter().chain(warnings).collect(),
-        counts,
-        unread: UnreadPlaces::of(doc, text, &styles),
+        counts: counts.into_iter().map(count).collect(),
+        unread,
     };
     Ok((new, facts))
 }

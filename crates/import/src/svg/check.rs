@@ -78,7 +78,8 @@ fn valid_part(node: Node<'_, '_>, attribute: &Attribute<'_, '_>) -> Option<Strin
         "points" => {
             let numbers = NumberListParser::from(value).map_while(Result::ok);
             let numbers = numbers.take_while(|number| is_small(*number));
-            Some(numbers.map(|number| format!("{number} ")).collect())
+            let numbers: Vec<String> = numbers.map(|number| number.to_string()).collect();
+            Some(numbers.join(" "))
         }
         _ => None,
     }

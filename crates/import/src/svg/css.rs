@@ -42,16 +42,44 @@ use crate::error::SvgError;
 pub(super) struct Styles<'a> {
     /// Those that styles set, by node number: name and value.
     set: Vec<Vec<(&'static str, Cow<'a, str>)>>,
-    /// The number of ignored rules.
-    pub(super) ignored_rules: usize,
-    /// The number of ignored values.
-    pub(super) ignored_values: usize,
-    /// The number of style sheets in other files.
-    pub(super) external: usize,
+    /// The ignored rules.
+    pub(super) ignored_rules: Found,
+    /// The ignored values.
+    pub(super) ignored_values: Found,
+    /// The style sheets in other files.
+    pub(super) external: Found,
+}
+
+/// A number of occurrences in a file, and the position of the first, in bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Found {
+    pub(super) count: usize,
+    pub(super) first: Option<usize>,
+}
+
+impl Found {
+    pub(super) fn add(&mut self, count: usize, at: usize) {
+        self.count += count;
+        if count > 0 {
+            self.first = Some(self.first.map_or(at, |first| first.min(at)));
+        }
+    }
+
+    pub(super) fn plus(mut self, other: Self) -> Self {
+        self.add(other.count, other.first.unwrap_or_default());
+        self
+    }
+}
+
+/// The text of a style sheet, and its position in the file, in bytes.
+#[derive(Debug)]
+pub(super) struct SheetText {
+    at: usize,
+    css: String,
 }
 
 /// The texts of all sheets that apply to a light screen.
-pub(super) fn sheet_texts(doc: &Document<'_>) -> Vec<String> {
+pub(super) fn sheet_texts(doc: &Document<'_>) -> Vec<SheetText> {
     let applies = |sheet: &Node<'_, '_>| {
         let kind = sheet.attribute("type").unwrap_or_default().trim();
         let media = sheet.attribute("media").unwrap_or_default();
@@ -60,7 +88,10 @@ pub(super) fn sheet_texts(doc: &Document<'_>) -> Vec<String> {
     };
     let text = |sheet: Node<'_, '_>| {
         let texts = sheet.children().filter_map(|child| child.text());
-        texts.collect()
+        SheetText {
+            at: sheet.range().start,
+            css: texts.collect(),
+        }
     };
     sheets(doc).filter(applies).map(text).collect()
 }
@@ -75,10 +106,10 @@ pub(super) fn sheets<'a, 'input>(
 
 impl<'a> Styles<'a> {
     /// Computes the values of all elements.
-    pub(super) fn of(doc: &'a Document<'_>, texts: &'a [String]) -> Result<Self, SvgError> {
+    pub(super) fn of(doc: &'a Document<'_>, texts: &'a [SheetText]) -> Result<Self, SvgError> {
         let mut sheets = Sheets::default();
         for text in texts {
-            sheets.add(text);
+            sheets.add(text.at, &text.css);
         }
         let cascade = Cascade::new(doc, &sheets);
         let mut styles = Self {
@@ -93,7 +124,12 @@ impl<'a> Styles<'a> {
             let number = node.id().get_usize();
             let own = node.attribute("style").unwrap_or_default();
             let (own, ignored) = declarations(own);
-            styles.ignored_values += ignored;
+            let place = node
+                .attribute_node("style")
+                .map(|style| style.range().start);
+            styles
+                .ignored_values
+                .add(ignored, place.unwrap_or_default());
             let attributes = attributes_with_variables(node);
             let declared = cascade.declared(node, &attributes, &own, &mut caches);
             let outer = node.parent().map(|parent| parent.id().get_usize());
@@ -158,7 +194,7 @@ impl<'a> Styles<'a> {
 pub(super) fn presentation<'v>(name: &str, value: &'v str) -> Result<Cow<'v, str>, ()> {
     match Property::of(name).filter(|property| property.name == name && property.is_presentation())
     {
-        Some(property) if !variables::has_variables(value) => property.value(value, true).ok_or(()),
+        Some(property) if !variables::has_variables(value) => property.value(value).ok_or(()),
         _ => Ok(Cow::Borrowed(value)),
     }
 }

@@ -43,6 +43,11 @@ impl Additions {
         }
     }
 
+    /// The attributes, each after a blank.
+    pub(super) fn attributes(&self) -> &str {
+        &self.attributes
+    }
+
     pub(super) fn append(&mut self, other: &Self) {
         self.attributes += &other.attributes;
         self.declarations += &other.declarations;

@@ -84,6 +84,32 @@ fn name(group: Node<'_, '_>, number: usize) -> String {
     }
 }
 
+/// What the name of a layer means to `AxiDraw` (its user guide, layer control).
+#[derive(Debug, PartialEq)]
+pub(super) enum LayerCode {
+    /// `%`: it is never drawn.
+    Comment,
+    /// `!`: pause before it; `+S`, `+H` and `+D`: its speed, pen height and delay.
+    Other,
+}
+
+/// The codes for `AxiDraw` in the label of an Inkscape layer.
+pub(super) fn layer_code(node: Node<'_, '_>) -> Option<LayerCode> {
+    let is_layer = node.attribute((INKSCAPE, "groupmode")) == Some("layer");
+    let label = node.attribute((INKSCAPE, "label")).filter(|_| is_layer)?;
+    let label = label.trim_start();
+    let mut codes = label.split('+').skip(1).map(str::as_bytes);
+    let has_code = codes.any(|code| match code {
+        [kind, number, ..] => b"SHDshd".contains(kind) && number.is_ascii_digit(),
+        _ => false,
+    });
+    match label.as_bytes().first()? {
+        b'%' => Some(LayerCode::Comment),
+        b'!' => Some(LayerCode::Other),
+        _ => has_code.then_some(LayerCode::Other),
+    }
+}
+
 fn id<'a>(group: Node<'a, '_>) -> Option<&'a str> {
     group.attribute("id").filter(|id| !id.is_empty())
 }
@@ -181,6 +207,29 @@ mod tests {
             layers(&layer(&layer(&sublayers).replace("all", "inner"))),
             ["a", "b"]
         );
+    }
+
+    #[test]
+    fn names_of_layers_have_codes_for_axidraw() {
+        let code = |label: &str| {
+            let text = format!(
+                r#"<svg xmlns:inkscape="{INKSCAPE}"><g inkscape:groupmode="layer" inkscape:label="{label}"/></svg>"#
+            );
+            let doc = Document::parse(&text).unwrap();
+            layer_code(doc.root_element().first_element_child().unwrap())
+        };
+        for (label, expected) in [
+            ("%guides", Some(LayerCode::Comment)),
+            (" % guides", Some(LayerCode::Comment)),
+            ("!red", Some(LayerCode::Other)),
+            ("5 +S30+H50 red", Some(LayerCode::Other)),
+            ("red+d100", Some(LayerCode::Other)),
+            ("red + Sea", None),
+            ("50 % red", None),
+            ("", None),
+        ] {
+            assert_eq!(code(label), expected, "{label}");
+        }
     }
 
     #[test]

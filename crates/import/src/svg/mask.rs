@@ -7,6 +7,7 @@ use usvg::{Group, Mask, MaskType, Node, Paint, Path};
 
 use super::ink::PAPER;
 use super::renderer::{TreeRenderer, affine, rgb};
+use super::warning_count::WarningKind;
 use crate::clip::{ClipArea, Region};
 use crate::error::SvgError;
 use crate::polygon::Polygons;
@@ -19,6 +20,9 @@ impl TreeRenderer<'_> {
         transform: Affine,
         regions: &mut Vec<Rc<Region>>,
     ) -> Result<bool, SvgError> {
+        if mask.root().children().is_empty() {
+            self.page.warn(WarningKind::EmptyMask, 1);
+        }
         if !is_plain(mask.root(), mask.kind()) {
             return Ok(false);
         }

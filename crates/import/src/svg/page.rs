@@ -21,6 +21,7 @@ use crate::polygon::Polygons;
 use crate::warning::Warning;
 
 /// A collector of everything visible on the page.
+#[expect(clippy::struct_excessive_bools, reason = "each is asked for by itself")]
 pub(crate) struct SvgPage {
     size_mm: [f64; 2],
     /// The clip edge; `None` without clipping.

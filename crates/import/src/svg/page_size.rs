@@ -5,15 +5,15 @@ use std::str::FromStr;
 use svgtypes::Length;
 use usvg::roxmltree::{Attribute, Document};
 
-use super::css::Styles;
+use super::css::{Found, Styles};
 use super::edits::{Additions, Edit, escaped};
 
-/// The rewritten attributes of the root, and the number of ignored sizes.
+/// The rewritten attributes of the root, and the ignored sizes.
 #[derive(Debug, Default)]
 pub(super) struct PageSize {
     pub(super) edits: Vec<Edit>,
     pub(super) added: Additions,
-    pub(super) unread: usize,
+    pub(super) unread: Found,
 }
 
 impl PageSize {
@@ -31,7 +31,7 @@ impl PageSize {
                 (Some(value), None) => size.added.attribute(name, value),
                 (None, Some(attribute)) if !is_read(attribute.value().trim()) => {
                     size.edits.push(replaced(&attribute, "100%"));
-                    size.unread += 1;
+                    size.unread.add(1, attribute.range_value().start);
                 }
                 _ => {}
             }

@@ -9,20 +9,23 @@ use svgtypes::Length;
 use usvg::roxmltree::{Attribute, Document, Node};
 
 use super::check::is_length;
-use super::css::{Styles, presentation, sheets};
+use super::css::{Found, Styles, presentation, sheets};
 use super::edits::{Additions, Edit, edited, escaped};
+use super::foreign_text::plain_text;
+use super::groups::{LayerCode, layer_code};
 use super::handles::freed;
 use super::ink::{PATH_DASHES, SCREEN_DASHES};
 use super::letters::{anchors, undisplayed};
 use super::page_size::PageSize;
-use super::warning_count::{WarningCount, WarningKind};
+use super::warning_count::WarningKind;
 
 /// The rewritten parts of a file, and what is still unsupported.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Readable {
     /// The whole file, if anything changed.
     pub(super) text: Option<String>,
-    pub(super) warnings: Vec<WarningCount>,
+    /// What is reported, and where it is found first.
+    pub(super) warnings: Vec<(WarningKind, Found)>,
 }
 
 impl Readable {
@@ -37,6 +40,7 @@ impl Readable {
             .descendants()
             .filter_map(|node| node.attribute("id"))
             .collect();
+        let [missing_targets, linked] = copies(doc, &ids);
         let mut rewriter = Rewriter::of(doc, text, styles, ids);
         let PageSize {
             edits: of_page,
@@ -46,12 +50,16 @@ impl Readable {
         rewriter.edits.extend(of_page);
         rewriter.edits.extend(damaged);
         rewriter.edits.extend(undisplayed(doc, styles));
+        let mut labels = Found::default();
         for sheet in sheets(doc) {
             rewriter
                 .edits
                 .extend(sheet.children().map(|child| removed(child.range())));
         }
         for node in doc.descendants().filter(Node::is_element) {
+            let label = plain_text(text, node, styles);
+            labels.add(usize::from(label.is_some()), node.range().start);
+            rewriter.edits.extend(label);
             let mut added = rewriter.element(node);
             if node == doc.root_element() {
                 added.append(&of_root);
@@ -62,23 +70,27 @@ impl Readable {
             (WarningKind::IgnoredRule, styles.ignored_rules),
             (
                 WarningKind::IgnoredValue,
-                styles.ignored_values + rewriter.ignored,
+                styles.ignored_values.plus(rewriter.ignored),
             ),
             (
                 WarningKind::ExternalSheet,
-                styles.external + external_sheets(doc),
+                styles.external.plus(external_sheets(doc)),
             ),
             (WarningKind::UnreadSize, unread_sizes),
+            (WarningKind::LinkedShape, linked),
+            (WarningKind::MissingTarget, missing_targets),
             (WarningKind::MovedByStyle, rewriter.moved),
             (WarningKind::SolidPath, rewriter.solid),
+            (WarningKind::PlainLabel, labels),
+            (WarningKind::CommentLayer, rewriter.comment_layers),
+            (WarningKind::LayerCodes, rewriter.layer_codes),
             (WarningKind::WidthZero, lines_of_width_0(doc, text, styles)),
         ];
-        let warnings = counts.map(|(kind, count)| WarningCount { kind, count });
         Self {
             text: (!rewriter.edits.is_empty()).then(|| edited(text, rewriter.edits)),
-            warnings: warnings
+            warnings: counts
                 .into_iter()
-                .filter(|warning| warning.count > 0)
+                .filter(|warning| warning.1.count > 0)
                 .collect(),
         }
     }
@@ -100,11 +112,14 @@ struct Rewriter<'a> {
     /// The new anchors of texts, by node number; empty if unchanged.
     anchors: Vec<Option<&'static str>>,
     /// The number of lines made solid.
-    solid: usize,
+    solid: Found,
     /// The number of ignored values of attributes.
-    ignored: usize,
+    ignored: Found,
+    /// The number of layers that `AxiDraw` does not draw, and of those with other codes of it.
+    comment_layers: Found,
+    layer_codes: Found,
     /// The number of elements that turn around a place in their own box.
-    moved: usize,
+    moved: Found,
 }
 
 impl<'a> Rewriter<'a> {
@@ -131,9 +146,11 @@ impl<'a> Rewriter<'a> {
             offsets: inherited("stroke-dashoffset"),
             marked: marked(doc, styles),
             anchors: anchors(doc, styles),
-            solid: 0,
-            ignored: 0,
-            moved: 0,
+            solid: Found::default(),
+            ignored: Found::default(),
+            comment_layers: Found::default(),
+            layer_codes: Found::default(),
+            moved: Found::default(),
         }
     }
 
@@ -176,6 +193,14 @@ impl<'a> Rewriter<'a> {
             set.retain(|set| set.0 != name);
             set.push((name, value));
         };
+        match layer_code(node) {
+            Some(LayerCode::Comment) => {
+                self.comment_layers.add(1, node.range().start);
+                replace("display", "none".into());
+            }
+            Some(LayerCode::Other) => self.layer_codes.add(1, node.range().start),
+            None => {}
+        }
         let anchor = self.anchors.get(node.id().get_usize()).copied();
         if let Some(anchor) = anchor.flatten() {
             replace("text-anchor", anchor.into());
@@ -185,7 +210,7 @@ impl<'a> Rewriter<'a> {
                 PathDashes::None => {}
                 PathDashes::Solid => replace(DASHES, "none".into()),
                 PathDashes::Unread => {
-                    self.solid += 1;
+                    self.solid.add(1, node.range().start);
                     replace(DASHES, "none".into());
                 }
                 PathDashes::Shares { dashes, offset } => {
@@ -265,7 +290,7 @@ impl<'a> Rewriter<'a> {
         let value = |name| self.styles.value(node, name);
         let has_own_box = value("transform-box").is_some_and(|of| of != "view-box");
         if has_own_box && value("transform-origin").is_some() && !transforms.is_empty() {
-            self.moved += 1;
+            self.moved.add(1, node.range().start);
         }
         Some(match &transforms[..] {
             [] => "none".into(),
@@ -299,7 +324,7 @@ impl<'a> Rewriter<'a> {
             Ok(Cow::Borrowed(same)) if same == value => None,
             Ok(value) => Some(replaced(&value)),
             Err(()) => {
-                self.ignored += 1;
+                self.ignored.add(1, attribute.range_value().start);
                 Some(removed(attribute.range()))
             }
         }
@@ -336,20 +361,20 @@ fn removed(range: std::ops::Range<usize>) -> Edit {
 }
 
 /// The number of style sheets in other files that the file names outside its sheets.
-fn external_sheets(doc: &Document<'_>) -> usize {
+fn external_sheets(doc: &Document<'_>) -> Found {
     let is_sheet = |node: &Node<'_, '_>| {
         let is_instruction = node.pi().is_some_and(|pi| pi.target == "xml-stylesheet");
         let is_link =
             node.tag_name().name() == "link" && node.attribute("rel") == Some("stylesheet");
         is_instruction || is_link
     };
-    doc.descendants().filter(is_sheet).count()
+    found(doc.descendants().filter(is_sheet))
 }
 
 /// The number of shapes whose line has a colour, but no width.
-fn lines_of_width_0(doc: &Document<'_>, text: &str, styles: &Styles<'_>) -> usize {
+fn lines_of_width_0(doc: &Document<'_>, text: &str, styles: &Styles<'_>) -> Found {
     if !text.contains("stroke-width") {
-        return 0;
+        return Found::default();
     }
     let widths = styles.inherited(doc, "stroke-width");
     let paints = styles.inherited(doc, "stroke");
@@ -360,7 +385,36 @@ fn lines_of_width_0(doc: &Document<'_>, text: &str, styles: &Styles<'_>) -> usiz
         let is_shape = SHAPES.contains(&node.tag_name().name());
         is_shape && is_painted && width.is_some_and(|width| width.number == 0.0)
     };
-    doc.descendants().filter(is_zero).count()
+    found(doc.descendants().filter(is_zero))
+}
+
+/// Copies of elements that the file does not have, and of those in other files.
+fn copies(doc: &Document<'_>, ids: &HashSet<&str>) -> [Found; 2] {
+    let (mut missing, mut linked) = (Found::default(), Found::default());
+    for node in doc
+        .descendants()
+        .filter(|node| node.tag_name().name() == "use")
+    {
+        let target = node
+            .attributes()
+            .find(|attribute| attribute.name() == "href");
+        let Some(target) = target.map(|target| target.value().trim()) else {
+            continue;
+        };
+        match target.strip_prefix('#') {
+            None => linked.add(1, node.range().start),
+            Some(id) => missing.add(usize::from(!ids.contains(id)), node.range().start),
+        }
+    }
+    [missing, linked]
+}
+
+fn found<'a, 'input: 'a>(nodes: impl Iterator<Item = Node<'a, 'input>>) -> Found {
+    let mut found = Found::default();
+    for node in nodes {
+        found.add(1, node.range().start);
+    }
+    found
 }
 
 /// The elements with their own or inherited markers, by number; empty if there are none.

@@ -14,6 +14,7 @@ use super::ink::{
 };
 use super::mask::boxed;
 use super::page::{SvgPage, place};
+use super::pattern::MAX_TILES;
 use super::single_line::{self, Written};
 use super::warning_count::WarningKind;
 use crate::clip::{ClipArea, Region};
@@ -29,6 +30,8 @@ pub(crate) struct TreeRenderer<'a> {
     in_group: bool,
     /// Whether it is inside a transparent group.
     is_faint: bool,
+    /// The number of tiles of patterns that may still be drawn.
+    pub(super) tiles_left: u32,
 }
 
 impl<'a> TreeRenderer<'a> {
@@ -43,6 +46,7 @@ impl<'a> TreeRenderer<'a> {
             groups,
             in_group: false,
             is_faint: false,
+            tiles_left: MAX_TILES,
         }
     }
 
@@ -51,7 +55,7 @@ impl<'a> TreeRenderer<'a> {
         self.group(tree.root(), Affine::scale(MM_PER_PX), &mut Vec::new())
     }
 
-    fn group(
+    pub(super) fn group(
         &mut self,
         group: &Group,
         parent: Affine,
@@ -181,7 +185,17 @@ impl<'a> TreeRenderer<'a> {
         transform: Affine,
         clips: &[Rc<Region>],
     ) -> Result<(), SvgError> {
-        let ink = self.ink(path);
+        let mut ink = self.ink(path);
+        let pattern = path
+            .fill()
+            .filter(|fill| path.is_visible() && fill.opacity().get() > 0.0);
+        if let Some(Paint::Pattern(pattern)) = pattern.map(usvg::Fill::paint) {
+            if self.pattern(path, pattern, transform, clips)? {
+                ink.fill = None;
+            } else {
+                self.page.warn(WarningKind::Pattern, 1);
+            }
+        }
         if !path.is_visible() || ink == Ink::default() {
             return Ok(());
         }
@@ -200,7 +214,8 @@ impl<'a> TreeRenderer<'a> {
         let fill = fill.filter(|fill| shows(fill.opacity().get(), fill.paint()));
         if path.is_visible() {
             self.warn_of_paint(line.map(usvg::Stroke::paint));
-            self.warn_of_paint(fill.map(usvg::Fill::paint));
+            let fill = fill.map(usvg::Fill::paint);
+            self.warn_of_paint(fill.filter(|fill| !matches!(fill, Paint::Pattern(_))));
         }
         Ink {
             line: line.map(read_line),

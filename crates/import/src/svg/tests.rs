@@ -513,11 +513,9 @@ fn unsupported_style_and_html_content_is_reported() {
     };
     let turned =
         "<g style='transform: rotate(9deg); transform-box: fill-box; transform-origin: center'/>";
-    assert!(reported(turned).starts_with("1 transform-box: not supported"));
-    let html = "<foreignObject width='9' height='9'><p xmlns='http://www.w3.org/1999/xhtml'>A</p></foreignObject>";
-    assert!(
-        reported(&html.repeat(2)).starts_with("2 foreignObjects: left out with its text (HTML)")
-    );
+    assert!(reported(turned).contains("1 transform-box: not supported"));
+    let html = "<foreignObject width='9' height='9'><table xmlns='http://www.w3.org/1999/xhtml'><tr><td>A</td></tr></table></foreignObject>";
+    assert!(reported(&html.repeat(2)).contains("2 foreignObjects: left out with its text (HTML)"));
     for more in [
         "<foreignObject width='9' height='9'> </foreignObject>",
         "<g style='transform: none; transform-origin: 0 0'/>",
@@ -965,10 +963,12 @@ fn attributes_that_would_needlessly_hide_a_shape_are_ignored() {
     }
     let (_, warnings) =
         draw(r#"<path d="M10 10H90" stroke="red" pathLength="1" stroke-dasharray="10%"/>"#);
-    assert_eq!(
-        warnings[0].to_string(),
-        "1 dashed line: with pathLength and dashes in percent or em: drawn solid"
+    let text = warnings[0].to_string();
+    assert!(
+        text.ends_with(": 1 dashed line: with pathLength and dashes in percent or em: drawn solid"),
+        "{text}"
     );
+    assert_eq!(warnings[0].place.unwrap().line, 1);
 }
 
 #[test]
@@ -1016,9 +1016,6 @@ fn unsupported_styles_are_reported() {
             (1, 1),
             "{content}: {warnings:?}"
         );
-        assert!(
-            warnings[0].to_string().starts_with(reported),
-            "{warnings:?}"
-        );
+        assert!(warnings[0].to_string().contains(reported), "{warnings:?}");
     }
 }

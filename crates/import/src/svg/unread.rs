@@ -45,6 +45,11 @@ impl UnreadPlaces {
         )
     }
 
+    /// Notes the first place of what a warning counts.
+    pub(super) fn note(&mut self, kind: WarningKind, place: Place) {
+        self.0.push((kind, place));
+    }
+
     /// Adds the place to a warning, if known.
     pub(super) fn warning(&self, count: WarningCount) -> Warning {
         let place = self.0.iter().find(|place| place.0 == count.kind);

@@ -26,6 +26,8 @@ pub(crate) enum WarningKind {
     Image,
     /// A mask.
     Mask,
+    /// A mask of something without width or height.
+    EmptyMask,
     /// A filter, such as a blur.
     Filter,
     /// A gradient as paint.
@@ -45,6 +47,8 @@ pub(crate) enum WarningKind {
     FlowedText,
     /// HTML text (diagram programs).
     ForeignText,
+    /// HTML text of plain lines.
+    PlainLabel,
     /// A shape or a group transformed around a place in its own box.
     MovedByStyle,
     /// A CSS clip-path by a basic shape.
@@ -57,6 +61,10 @@ pub(crate) enum WarningKind {
     IgnoredRule,
     /// An ignored value of a property.
     IgnoredValue,
+    /// A layer that `AxiDraw` does not draw.
+    CommentLayer,
+    /// A layer whose name has other codes of `AxiDraw`.
+    LayerCodes,
     /// A copy of a missing element.
     MissingTarget,
     /// A line of width 0.
@@ -82,16 +90,25 @@ pub(crate) enum WarningKind {
 }
 
 impl WarningKind {
+    #[expect(clippy::too_many_lines, reason = "a table")]
     const fn words(self) -> (&'static str, &'static str) {
+        // table
         match self {
             Self::Image => ("image", "left out; trace it to paths"),
             Self::Mask => ("mask", "ignored; what it hides is drawn"),
+            Self::EmptyMask => (
+                "mask",
+                "of something without width or height hides it, as in a browser; set its maskUnits to userSpaceOnUse",
+            ),
             Self::Filter => ("filter", "ignored; the shape is drawn unchanged"),
             Self::Gradient => (
                 "gradient",
                 "drawn as one colour, the first of its stops that is not white",
             ),
-            Self::Pattern => ("pattern", "left out; its area is drawn as an area"),
+            Self::Pattern => (
+                "pattern",
+                "of a line, or of too many tiles: left out; its area is drawn as an area",
+            ),
             Self::Paper => ("white shape", "left out, because the paper is white"),
             Self::WhiteOnDark => (
                 "white shape on a darker one",
@@ -109,6 +126,10 @@ impl WarningKind {
             Self::ForeignText => (
                 "foreignObject",
                 "left out with its text (HTML); use an option for SVG texts in the program that made the file",
+            ),
+            Self::PlainLabel => (
+                "label",
+                "in a foreignObject (HTML): drawn as plain text; check its place in the preview",
             ),
             Self::MovedByStyle => (
                 "transform-box",
@@ -132,7 +153,12 @@ impl WarningKind {
             ),
             Self::IgnoredValue => (
                 "style value",
-                "ignored as in a browser, because it is not one that its property allows",
+                "ignored, because it is not one that its property allows, or not supported",
+            ),
+            Self::CommentLayer => ("layer", "with % before its name: left out, as by AxiDraw"),
+            Self::LayerCodes => (
+                "layer name",
+                "with a pause, speed, height or delay for AxiDraw (! +S +H +D): these are not read; set pens and speeds with what.layers and what.layer",
             ),
             Self::MissingTarget => (
                 "copy",

@@ -85,7 +85,7 @@ fn light(inner: &mut Parser<'_>) -> Option<String> {
 fn mixed(inner: &mut Parser<'_>) -> Option<String> {
     inner.expect_ident_matching("in").ok()?;
     let space = inner.expect_ident_cloned().ok()?.to_ascii_lowercase();
-    while inner.try_parse(|inner| inner.expect_comma()).is_err() {
+    while inner.try_parse(Parser::expect_comma).is_err() {
         inner.next().ok()?;
     }
     let (first, first_share) = part(inner)?;
@@ -117,7 +117,7 @@ fn mixed(inner: &mut Parser<'_>) -> Option<String> {
 
 /// A colour with its share in a mixture, from 0 to 1.
 fn part(inner: &mut Parser<'_>) -> Option<(String, Option<f32>)> {
-    let share = |inner: &mut Parser<'_>| inner.try_parse(|inner| inner.expect_percentage()).ok();
+    let share = |inner: &mut Parser<'_>| inner.try_parse(Parser::expect_percentage).ok();
     let before = share(inner);
     let color = color(inner)?.into_owned();
     Some((color, before.or_else(|| share(inner))))

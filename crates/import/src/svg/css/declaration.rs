@@ -96,7 +96,7 @@ pub(super) fn values<'i>(name: &str, value: &'i str) -> Option<Values<'i>> {
     };
     if is_wide(value) {
         let properties = longhands.iter().filter_map(|name| Property::of(name));
-        let values = properties.map(|property| Some((property, property.value(value, false)?)));
+        let values = properties.map(|property| Some((property, property.value(value)?)));
         return values.collect();
     }
     match &*name.to_ascii_lowercase() {
@@ -104,7 +104,7 @@ pub(super) fn values<'i>(name: &str, value: &'i str) -> Option<Values<'i>> {
         "marker" | "mask" => Some(all(&link(value)?.into())),
         "text-decoration-line" => Some(all(&value.to_ascii_lowercase().into())),
         _ => match Property::of(name) {
-            Some(property) => Some(vec![(property, property.value(value, false)?)]),
+            Some(property) => Some(vec![(property, property.value(value)?)]),
             None => Some(Vec::new()),
         },
     }
@@ -133,8 +133,8 @@ fn font(value: &str) -> Option<Values<'static>> {
     let text = text.trim();
     // The words before the size are in any order, and the library knows no other units.
     let words = text.split_whitespace().map(|word| {
-        let size = Property::of("font-size").and_then(|size| size.value(word, false));
-        size.map_or_else(|| word.to_owned(), |size| size.into_owned())
+        let size = Property::of("font-size").and_then(|size| size.value(word));
+        size.map_or_else(|| word.to_owned(), Cow::into_owned)
     });
     let text = words.collect::<Vec<_>>().join(" ");
     let font = FontShorthand::from_str(&text).ok()?;
@@ -148,7 +148,7 @@ fn font(value: &str) -> Option<Values<'static>> {
     ];
     let values = set.into_iter().map(|(name, value)| {
         let property = Property::of(name)?;
-        let value = property.value(value.unwrap_or("normal"), false)?;
+        let value = property.value(value.unwrap_or("normal"))?;
         Some((property, Cow::Owned(value.into_owned())))
     });
     values.collect()
@@ -158,10 +158,9 @@ fn font(value: &str) -> Option<Values<'static>> {
 pub(super) fn declarations(style: &str) -> (Vec<Declaration<'_>>, usize) {
     let mut input = Parser::new(style);
     let mut own = Style::default();
-    for item in RuleBodyParser::new(&mut input, &mut own) {
-        let _invalid: Result<(), _> = item;
-    }
-    (own.declarations, own.ignored)
+    let items = RuleBodyParser::new(&mut input, &mut own);
+    let broken = items.filter(Result::is_err).count();
+    (own.declarations, own.ignored + broken)
 }
 
 /// The declarations read from the style of an element.

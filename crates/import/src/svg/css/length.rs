@@ -13,13 +13,11 @@ pub(super) enum Length {
 }
 
 impl Length {
-    /// The length in the words of the library; `None` if it is below 0 or lacks a unit where that
-    /// is not allowed.
-    pub(super) fn text(self, below_zero: bool, is_number_allowed: bool) -> Option<String> {
+    /// The length in the words of the library; `None` if it is below 0 where that is not allowed. In
+    /// styles of SVG elements, browsers read lengths without a unit.
+    pub(super) fn text(self, below_zero: bool) -> Option<String> {
         let (Self::Number(value) | Self::Px(value) | Self::Relative(value, _)) = self;
-        let is_allowed = (below_zero || value >= 0.0)
-            && (is_number_allowed || value == 0.0 || !matches!(self, Self::Number(_)));
-        is_allowed.then(|| match self {
+        (below_zero || value >= 0.0).then(|| match self {
             Self::Number(number) => number.to_string(),
             Self::Px(px) => format!("{px}px"),
             Self::Relative(number, unit) => format!("{number}{unit}"),
@@ -162,7 +160,7 @@ fn sign(inner: &mut Parser<'_>, signs: [char; 2]) -> Result<char, ()> {
 /// The value of `min()`, `max()` or `clamp()`.
 fn chosen(name: &str, inner: &mut Parser<'_>) -> Option<Length> {
     let mut lengths = vec![sum(inner)?];
-    while inner.try_parse(|inner| inner.expect_comma()).is_ok() {
+    while inner.try_parse(Parser::expect_comma).is_ok() {
         lengths.push(sum(inner)?);
     }
     let least = |a: Length, b: Length| {

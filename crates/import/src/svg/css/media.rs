@@ -29,7 +29,7 @@ fn query(input: &mut Parser<'_>) -> Option<bool> {
         return condition(input, &feature);
     };
     if word == "not" && !input.is_exhausted() {
-        let medium = input.try_parse(|input| input.expect_ident_cloned());
+        let medium = input.try_parse(Parser::expect_ident_cloned);
         return Some(match medium {
             Ok(medium) => !of_medium(&medium, input)?,
             Err(_) => !one(input, &feature)?,
@@ -228,8 +228,7 @@ fn declaration(input: &mut Parser<'_>) -> Option<bool> {
     let start = input.position();
     while input.next().is_ok() {}
     let value = input.slice_from(start);
-    let is_valid =
-        |property: &Property| has_variables(value) || property.value(value, false).is_some();
+    let is_valid = |property: &Property| has_variables(value) || property.value(value).is_some();
     Some(name.starts_with("--") || Property::of(&name).is_some_and(is_valid))
 }
 

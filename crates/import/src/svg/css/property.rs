@@ -30,8 +30,6 @@ pub(super) enum Grammar {
     Length {
         below_zero: bool,
     },
-    /// A length with a unit, except in attributes.
-    LengthWithUnit,
     /// Lengths of dashes.
     Dashes,
     /// One of these words.
@@ -74,13 +72,13 @@ impl Property {
     }
 
     /// A value in the words of the library; `None` if it is invalid.
-    pub(super) fn value<'i>(&self, text: &'i str, is_attribute: bool) -> Option<Cow<'i, str>> {
+    pub(super) fn value<'i>(&self, text: &'i str) -> Option<Cow<'i, str>> {
         let text = text.trim();
         match text.to_ascii_lowercase().as_str() {
             "inherit" => Some("inherit".into()),
             "initial" => Some(self.initial.into()),
             "unset" | "revert" | "revert-layer" => Some(self.unset().into()),
-            _ => value::value(self.grammar, text, is_attribute),
+            _ => value::value(self.grammar, text),
         }
     }
 
@@ -229,8 +227,8 @@ static PROPERTIES: [Property; 73] = [
     geometry("r", "0", SIZE, &["circle"]),
     geometry("rx", "auto", Grammar::LengthOr(&["auto"]), ROUNDED),
     geometry("ry", "auto", Grammar::LengthOr(&["auto"]), ROUNDED),
-    geometry("width", "auto", Grammar::LengthWithUnit, BOXES),
-    geometry("height", "auto", Grammar::LengthWithUnit, BOXES),
+    geometry("width", "auto", Grammar::LengthOr(&["auto"]), BOXES),
+    geometry("height", "auto", Grammar::LengthOr(&["auto"]), BOXES),
 ];
 
 const FONT_SIZES: &[&str] = &[

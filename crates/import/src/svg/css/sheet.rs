@@ -9,6 +9,7 @@ use cssparser::{
 use selectors::SelectorList;
 use selectors::parser::{ParseRelative, SelectorParseErrorKind as Error};
 
+use super::Found;
 use super::declaration::{Declaration, declaration};
 use super::media::{is_shown, is_supported};
 use super::selector::{SelectorParser, SvgSelectors};
@@ -19,12 +20,14 @@ pub(super) struct Sheets<'i> {
     pub(super) rules: Vec<Rule<'i>>,
     /// The cascade layers, each by the path of its names, in the order of their first appearance.
     layers: Vec<Vec<String>>,
-    /// The number of rules that are ignored, as by a browser or because they are not supported.
-    pub(super) ignored_rules: usize,
-    /// The number of declarations with an invalid value.
-    pub(super) ignored_values: usize,
-    /// The number of sheets in other files.
-    pub(super) external: usize,
+    /// The rules that are ignored, as by a browser or because they are not supported.
+    pub(super) ignored_rules: Found,
+    /// The declarations with an invalid value.
+    pub(super) ignored_values: Found,
+    /// The sheets in other files.
+    pub(super) external: Found,
+    /// The position of the current sheet in the file, in bytes.
+    at: usize,
     selector_parser: SelectorParser,
 }
 
@@ -38,8 +41,9 @@ pub(super) struct Rule<'i> {
 }
 
 impl<'i> Sheets<'i> {
-    /// Adds the rules of a sheet.
-    pub(super) fn add(&mut self, css: &'i str) {
+    /// Adds the rules of a sheet at this position in the file.
+    pub(super) fn add(&mut self, at: usize, css: &'i str) {
+        self.at = at;
         self.selector_parser = SelectorParser::default();
         let mut input = Parser::new(css);
         let mut block = Block {
@@ -50,7 +54,7 @@ impl<'i> Sheets<'i> {
         };
         let rules = StyleSheetParser::new(&mut input, &mut block);
         let ignored = rules.filter(Result::is_err).count();
-        self.ignored_rules += ignored;
+        self.ignored_rules.add(ignored, at);
     }
 
     /// The rank of the layer of a rule: of several layers the highest counts, and rules outside
@@ -119,7 +123,7 @@ impl<'i> Block<'_, 'i> {
         let items = RuleBodyParser::new(input, &mut block);
         let ignored = items.filter(Result::is_err).count();
         let own = block.own;
-        self.sheets.ignored_rules += ignored;
+        self.sheets.ignored_rules.add(ignored, self.sheets.at);
         if let Some(place) = place {
             self.sheets.rules[place].declarations = own.into();
         }
@@ -145,7 +149,7 @@ impl<'i> Block<'_, 'i> {
     }
 
     fn namespace(&mut self, input: &mut Parser<'i>) -> Option<()> {
-        let prefix = input.try_parse(|input| input.expect_ident_cloned());
+        let prefix = input.try_parse(Parser::expect_ident_cloned);
         let url = input.expect_url_or_string().ok()?;
         let prefix = prefix.map(|prefix| prefix.to_string()).unwrap_or_default();
         let namespaces = &mut self.sheets.selector_parser.namespaces;
@@ -182,7 +186,7 @@ impl<'i> AtRuleParser<'i> for Block<'_, 'i> {
             }
             "import" => {
                 while input.next().is_ok() {}
-                self.sheets.external += 1;
+                self.sheets.external.add(1, self.sheets.at);
                 Ok(AtRule::Done)
             }
             "namespace" => {
@@ -264,7 +268,7 @@ impl<'i> DeclarationParser<'i> for Block<'_, 'i> {
     ) -> Result<(), ParseError<Error>> {
         match declaration(&name, input)? {
             Some(mut declarations) => self.own.append(&mut declarations),
-            None => self.sheets.ignored_values += 1,
+            None => self.sheets.ignored_values.add(1, self.sheets.at),
         }
         Ok(())
     }

@@ -11,7 +11,6 @@ use std::borrow::Cow;
 use std::str::FromStr;
 
 use cssparser::{Parser, Token};
-use svgtypes::LengthUnit;
 
 use super::color::color;
 use super::family::quoted_families;
@@ -19,9 +18,9 @@ use super::length::{Length, angle_deg, length, number};
 use super::property::Grammar;
 
 /// A value of a property, without blanks around it; `None` if it is invalid.
-pub(super) fn value(grammar: Grammar, text: &str, is_attribute: bool) -> Option<Cow<'_, str>> {
+pub(super) fn value(grammar: Grammar, text: &str) -> Option<Cow<'_, str>> {
     use Grammar as G;
-    if is_plain(grammar, text, is_attribute) {
+    if is_plain(grammar, text) {
         return Some(text.into());
     }
     let mut input = Parser::new(text);
@@ -34,15 +33,12 @@ pub(super) fn value(grammar: Grammar, text: &str, is_attribute: bool) -> Option<
             .filter(|number| *number >= 0.0)?
             .to_string()
             .into(),
-        G::Length { below_zero } => length(input)?.text(below_zero, true)?.into(),
-        G::LengthWithUnit => length(input)?.text(false, is_attribute)?.into(),
+        G::Length { below_zero } => length(input)?.text(below_zero)?.into(),
         G::Dashes => dashes(input)?.into(),
         G::Words(words) => one_of(input, words)?.into(),
         G::LengthOr(words) => match one_of(input, words) {
             Some(word) => word.into(),
-            None => length(input)?
-                .text(true, is_attribute || is_zero(text))?
-                .into(),
+            None => length(input)?.text(true)?.into(),
         },
         G::Transform => transforms(input)?.into(),
         G::Moves => moves(input)?.into(),
@@ -57,7 +53,7 @@ pub(super) fn value(grammar: Grammar, text: &str, is_attribute: bool) -> Option<
 
 /// Whether a value is a number, or a length with a unit, that the library reads as it is: nearly all
 /// are.
-fn is_plain(grammar: Grammar, text: &str, is_attribute: bool) -> bool {
+fn is_plain(grammar: Grammar, text: &str) -> bool {
     use Grammar as G;
     let number = || text.parse().ok().filter(|number: &f64| number.is_finite());
     let length = || svgtypes::Length::from_str(text).ok();
@@ -67,9 +63,7 @@ fn is_plain(grammar: Grammar, text: &str, is_attribute: bool) -> bool {
         G::Length { below_zero } => {
             length().is_some_and(|length| below_zero || length.number >= 0.0)
         }
-        G::LengthOr(_) | G::LengthWithUnit => length().is_some_and(|length| {
-            length.number >= 0.0 && (is_attribute || length.unit != LengthUnit::None)
-        }),
+        G::LengthOr(_) => length().is_some(),
         _ => false,
     }
 }
@@ -81,10 +75,6 @@ fn unchanged<'t>(text: &'t str, value: Cow<'t, str>) -> Cow<'t, str> {
     } else {
         value
     }
-}
-
-fn is_zero(text: &str) -> bool {
-    text.parse() == Ok(0.0)
 }
 
 /// A value that the library reads, its words in lower case.
@@ -120,7 +110,7 @@ fn paint<'i>(input: &mut Parser<'i>) -> Option<Cow<'i, str>> {
     if let Some(word) = one_of(input, &words) {
         return Some(word.into());
     }
-    let Ok(link) = input.try_parse(|input| input.expect_url()) else {
+    let Ok(link) = input.try_parse(Parser::expect_url) else {
         return color(input);
     };
     let link = format!("url({link})");
@@ -135,7 +125,7 @@ fn paint<'i>(input: &mut Parser<'i>) -> Option<Cow<'i, str>> {
 }
 
 fn share(input: &mut Parser<'_>) -> Option<String> {
-    let percentage = input.try_parse(|input| input.expect_percentage());
+    let percentage = input.try_parse(Parser::expect_percentage);
     let share = percentage.ok().or_else(|| number(input))?;
     Some(share.clamp(0.0, 1.0).to_string())
 }
@@ -144,10 +134,10 @@ fn dashes(input: &mut Parser<'_>) -> Option<String> {
     if let Some(none) = one_of(input, &["none"]) {
         return Some(none.to_owned());
     }
-    let mut lengths = vec![length(input)?.text(false, true)?];
+    let mut lengths = vec![length(input)?.text(false)?];
     while !input.is_exhausted() {
-        let _comma = input.try_parse(|input| input.expect_comma());
-        lengths.push(length(input)?.text(false, true)?);
+        let _comma = input.try_parse(Parser::expect_comma);
+        lengths.push(length(input)?.text(false)?);
     }
     Some(lengths.join(" "))
 }
@@ -200,7 +190,7 @@ fn transform(name: &str, inner: &mut Parser<'_>) -> Option<String> {
         "skewy" => format!("skewY({})", angle_deg(inner)?),
         "skew" => {
             let first = angle_deg(inner)?;
-            let second = inner.try_parse(|inner| inner.expect_comma()).ok();
+            let second = inner.try_parse(Parser::expect_comma).ok();
             let second = second.map_or(Some(0.0), |()| angle_deg(inner))?;
             let [first, second] = [first, second].map(|angle| angle.to_radians().tan());
             format!("matrix(1 {second} {first} 1 0 0)")
@@ -222,7 +212,7 @@ fn pair<T: ToString>(
     value: impl Fn(&mut Parser<'_>) -> Option<T>,
 ) -> Option<String> {
     let first = value(inner)?.to_string();
-    if inner.try_parse(|inner| inner.expect_comma()).is_err() {
+    if inner.try_parse(Parser::expect_comma).is_err() {
         return Some(first);
     }
     Some(format!("{first} {}", value(inner)?.to_string()))
@@ -270,7 +260,7 @@ fn px(input: &mut Parser<'_>) -> Option<f32> {
 }
 
 fn factor(input: &mut Parser<'_>) -> Option<f32> {
-    let percentage = input.try_parse(|input| input.expect_percentage());
+    let percentage = input.try_parse(Parser::expect_percentage);
     percentage.ok().or_else(|| number(input))
 }
 
@@ -278,7 +268,7 @@ fn factor(input: &mut Parser<'_>) -> Option<f32> {
 pub(super) fn link(text: &str) -> Option<String> {
     let mut input = Parser::new(text);
     loop {
-        if let Ok(link) = input.try_parse(|input| input.expect_url()) {
+        if let Ok(link) = input.try_parse(Parser::expect_url) {
             return Some(format!("url({link})"));
         }
         match input.next().ok()? {

@@ -72,7 +72,7 @@ fn copy<'i>(
                     value.ok_or(inner.new_error_for_next_token::<()>())
                 })?;
                 // Blanks keep tokens apart.
-                *whole += &format!(" {value} ");
+                whole.extend([" ", &value, " "]);
                 continue;
             }
             Token::Function(_) | Token::ParenthesisBlock => ")",

@@ -174,7 +174,6 @@ fn a_translucent_fill_hides_nothing() {
         <pattern id="p" width="4" height="4" patternUnits="userSpaceOnUse"><circle r="1"/></pattern>"#;
     for over in [
         r#"fill="url(#g)""#,
-        r#"fill="url(#p)""#,
         r#"fill="red" style="mix-blend-mode:multiply""#,
     ] {
         let (strokes, _) = hidden(&format!(
@@ -182,6 +181,18 @@ fn a_translucent_fill_hides_nothing() {
         ));
         assert!((length_mm(&strokes) - (60.0 + 80.0)).abs() < 1e-3, "{over}");
     }
+    let hides = ReadOptions {
+        hides: true,
+        ..options()
+    };
+    let tiled = format!(
+        r#"{see_through}<path d="M0 10H60" stroke="red"/><rect x="20" y="0" width="20" height="20" fill="url(#p)"/>"#
+    );
+    // The line runs between the circles of its tiles.
+    let red = layer_lengths(&tiled, &hides)
+        .into_iter()
+        .find(|layer| layer.0 == "red");
+    assert_eq!(red, Some(("red".to_owned(), 60.0)));
 }
 
 /// The length of the lines of each layer.

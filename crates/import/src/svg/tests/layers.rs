@@ -121,16 +121,17 @@ fn areas_are_cut_by_the_page_and_by_clip_paths() {
 }
 
 #[test]
-fn gradients_count_as_their_first_colour_and_patterns_as_none() {
+fn gradients_count_as_their_first_colour_and_patterns_are_drawn() {
     let (layers, warnings) = read_by(
         LayersBy::Color,
         r#"<linearGradient id="g"><stop stop-color="navy"/><stop offset="1"/></linearGradient>
         <pattern id="p" width="2" height="2" patternUnits="userSpaceOnUse"><path d="M0 0H1" stroke="red"/></pattern>
         <rect width="9" height="9" fill="url(#g)"/><rect width="9" height="9" fill="url(#p)"/>"#,
     );
-    assert_eq!(contents(&layers), [("navy", 1, 1), ("pattern", 1, 1)]);
-    assert_eq!(layers[1].color, None);
-    assert_eq!(warnings.len(), 2);
+    // The pattern has lines of its own: 5 rows of 5 tiles, the last of which is half a tile.
+    assert_eq!(contents(&layers), [("navy", 1, 1), ("red", 25, 0)]);
+    assert_eq!(layers[1].color, Some([255, 0, 0]));
+    assert_eq!(warnings.len(), 1);
 }
 
 #[test]
