@@ -4409,6 +4409,7 @@ export interface components {
              *         "only": [],
              *         "no_crop": false,
              *         "hide": false,
+             *         "white_edges": false,
              *         "hatch": null,
              *         "hatch_angle": 45,
              *         "hatch_style": "lines",
@@ -4503,6 +4504,7 @@ export interface components {
              *       "only": [],
              *       "no_crop": false,
              *       "hide": false,
+             *       "white_edges": false,
              *       "hatch": null,
              *       "hatch_angle": 45,
              *       "hatch_style": "lines",
@@ -4651,6 +4653,11 @@ export interface components {
              * @default false
              */
             hide: boolean;
+            /**
+             * @description Draw the edges of white shapes of an SVG file that lie on darker ones, as `what.hide` does
+             * @default false
+             */
+            white_edges: boolean;
             /**
              * @description Hatch filled areas with this line spacing, in mm (default: as suits the pen or material)
              * @default null
