@@ -51,6 +51,7 @@ readonly WIDE_STEPS=(
   "models       Load the arm's models with yourdfpy and mujoco, and compare the kinematics"
   "python-full  Run the tests of the parts of the Python package that need the feature full"
   "recordings   Read recordings and tables with mcap, pandas and datasets, and live data with Foxglove's client"
+  "icons        Compare drawings of icons and styles with Chromium's pictures"
   "fleet        Run a class in three networks, with eclipse-zenoh as a peer and the board in browsers"
   "ros2         Use an arm over ROS 2 with cyclonedds"
   "bench-check  Run every benchmark once, unoptimised"
@@ -443,6 +444,17 @@ needs_browser() {
   needs_command chromium chromium
   CHROMIUM=$(command -v chromium)
   export CHROMIUM
+}
+
+step_icons() {
+  needs_command node nodejs
+  needs_command npm npm
+  needs_command chromium chromium
+  CHROMIUM=$(command -v chromium)
+  export CHROMIUM
+  npm ci --prefix tests/icons --no-audit --no-fund
+  cargo build --locked -p dobot-import --example strokes
+  node tests/icons/compare.mjs "$(built)/examples/strokes"
 }
 
 step_bench-check() {
