@@ -29,10 +29,9 @@ pub(crate) struct SvgPage {
     /// The length and the number of lines clipped at the edge.
     cut_mm: f64,
     cut_lines: usize,
-    /// The number of remaining segments.
-    pub(crate) budget: Budget,
-    /// The remaining budget of corners of filled shapes and clip paths, charged for each clip.
-    corners_left: usize,
+    pub(crate) work: ClipWork,
+    /// The work for what is under white shapes, which is limited by itself.
+    white_work: ClipWork,
     pub(crate) layers: Layers,
     /// Whether filled shapes hide what is under them.
     pub(crate) hides: bool,
@@ -52,8 +51,8 @@ impl SvgPage {
             edge: options.crops.then(|| PageEdge::new(size_mm)),
             cut_mm: 0.0,
             cut_lines: 0,
-            budget: Budget::new(MAX_SEGMENTS),
-            corners_left: MAX_CLIPPED_CORNERS,
+            work: ClipWork::default(),
+            white_work: ClipWork::default(),
             layers: Layers::new(by),
             hides: options.hides,
             draws_white_edges: options.hides || options.white_edges,
@@ -75,7 +74,7 @@ impl SvgPage {
 
     pub(crate) fn finish(mut self) -> Result<(Artwork, Vec<WarningCount>), SvgError> {
         let [width_mm, height_mm] = self.size_mm;
-        let (layers, entangled) = self.layers.finish(&mut self.budget, self.fills)?;
+        let (layers, entangled) = self.layers.finish(&mut self.work.budget, self.fills)?;
         let artwork = Artwork {
             width_mm,
             height_mm,
@@ -92,8 +91,8 @@ impl SvgPage {
 
     /// Spends corners of clipped areas; `false` if there are too few.
     pub(super) fn take_corners(&mut self, corners: usize) -> bool {
-        let left = self.corners_left.checked_sub(corners);
-        self.corners_left = left.unwrap_or_default();
+        let left = self.work.corners_left.checked_sub(corners);
+        self.work.corners_left = left.unwrap_or_default();
         left.is_some()
     }
 
@@ -163,31 +162,36 @@ impl SvgPage {
         let Some(fill) = fill else {
             return Ok(Vec::new());
         };
-        let Some(filled) = self.filled(outlines, transform, fill.rule, clips)? else {
+        let work = &mut self.white_work;
+        let Some(filled) = FilledArea::new(outlines, transform, fill.rule, clips, work)? else {
             return Ok(Vec::new());
         };
         let shown = filled.shown.unwrap_or_else(|| filled.whole.clone());
-        let edges = outlines_of(shown);
-        let edges = if ink.line.is_some() {
-            beside_outline(&edges, &filled.whole)
-        } else {
-            edges
-        };
+        let mut edges = outlines_of(shown);
+        if ink.line.is_some() {
+            edges = beside_outline(&edges, &filled.whole);
+        }
         let mut darker = Vec::new();
         for edge in edges {
-            self.budget.spend(edge.points.len())?;
-            match self.layers.covers().darker_under(&edge, &mut self.budget)? {
-                Some(parts) => {
-                    darker.extend(
-                        parts
-                            .into_iter()
-                            .map(|(color, part)| (InkColor(color), part)),
-                    );
-                }
-                None => self.warn(WarningKind::Stacked, 1),
-            }
+            let covers = self.layers.covers();
+            let parts = covers.darker_under(&edge, &mut self.white_work.budget);
+            let Ok(Some(parts)) = parts else {
+                self.stop_tracking();
+                break;
+            };
+            darker.extend(
+                parts
+                    .into_iter()
+                    .map(|(color, part)| (InkColor(color), part)),
+            );
         }
         Ok(darker)
+    }
+
+    /// Stops to look for what is under white shapes, of which there are too many.
+    fn stop_tracking(&mut self) {
+        self.tracks_fills = false;
+        self.warn(WarningKind::WhiteUnknown, 1);
     }
 
     /// Draws edges of a white shape on darker ones, or reports that they are not drawn.
@@ -215,9 +219,15 @@ impl SvgPage {
         if !hides && (!self.tracks_fills || (is_paper && !fill.is_opaque)) {
             return Ok(());
         }
+        let corners = outlines.iter().map(|outline| outline.points.len()).sum();
+        if hides {
+            self.work.budget.spend(corners)?;
+        } else if self.white_work.budget.spend(corners).is_err() {
+            self.stop_tracking();
+            return Ok(());
+        }
         let mut outlines = outlines.to_vec();
         for outline in &mut outlines {
-            self.budget.spend(outline.points.len())?;
             place(&mut outline.points, transform)?;
         }
         let paint = if is_paper {
@@ -253,7 +263,12 @@ impl SvgPage {
             1.0
         };
         let lengths: Vec<f64> = dashes.lengths.iter().map(|length| unit * length).collect();
-        let pieces = dash(outline, &lengths, unit * dashes.offset, &mut self.budget)?;
+        let pieces = dash(
+            outline,
+            &lengths,
+            unit * dashes.offset,
+            &mut self.work.budget,
+        )?;
         Ok((pieces, rest))
     }
 
@@ -273,7 +288,7 @@ impl SvgPage {
         for clip in clips {
             let mut shown = Vec::new();
             for piece in pieces {
-                shown.append(&mut clip.cut(piece, &mut self.budget)?);
+                shown.append(&mut clip.cut(piece, &mut self.work.budget)?);
             }
             pieces = shown;
         }
@@ -290,7 +305,7 @@ impl SvgPage {
             return Ok(());
         };
         let whole_mm = stroke.length_mm();
-        let pieces = edge.region.cut(stroke, &mut self.budget)?;
+        let pieces = edge.region.cut(stroke, &mut self.work.budget)?;
         self.cut_mm += whole_mm - pieces.iter().map(Stroke::length_mm).sum::<f64>();
         self.cut_lines += 1;
         for piece in pieces {
@@ -308,7 +323,8 @@ impl SvgPage {
         fill: FillPaint,
         clips: &[Rc<Region>],
     ) -> Result<Option<CutArea>, SvgError> {
-        let Some(filled) = self.filled(outlines, transform, fill.rule, clips)? else {
+        let work = &mut self.work;
+        let Some(filled) = FilledArea::new(outlines, transform, fill.rule, clips, work)? else {
             return Ok(None);
         };
         let FilledArea {
@@ -324,8 +340,8 @@ impl SvgPage {
                 whole,
                 around,
                 [&edge.region],
-                &mut self.budget,
-                &mut self.corners_left,
+                &mut self.work.budget,
+                &mut self.work.corners_left,
             )?,
         };
         match area {
@@ -336,15 +352,43 @@ impl SvgPage {
         let cut = shown.filter(|shown| *shown != whole).map(outlines_of);
         Ok(cut.map(|edges| CutArea { edges, whole }))
     }
+}
 
+/// The work that may still be done.
+#[derive(Debug)]
+pub(crate) struct ClipWork {
+    /// The number of remaining segments.
+    pub(crate) budget: Budget,
+    /// The remaining budget of corners of filled shapes and clip paths, charged for each clip.
+    corners_left: usize,
+}
+
+impl Default for ClipWork {
+    fn default() -> Self {
+        Self {
+            budget: Budget::new(MAX_SEGMENTS),
+            corners_left: MAX_CLIPPED_CORNERS,
+        }
+    }
+}
+
+/// A filled area on the page.
+struct FilledArea {
+    whole: Area,
+    around: Rect,
+    /// The part inside its clip paths; `None` if too complex.
+    shown: Option<Area>,
+}
+
+impl FilledArea {
     /// A filled area in page coordinates, and its part inside clip paths; `None` if it is empty.
-    fn filled(
-        &mut self,
+    fn new(
         outlines: &[Stroke],
         transform: Affine,
         rule: FillRule,
         clips: &[Rc<Region>],
-    ) -> Result<Option<FilledArea>, SvgError> {
+        work: &mut ClipWork,
+    ) -> Result<Option<Self>, SvgError> {
         let mut around = bounds([]);
         let mut rings = Vec::with_capacity(outlines.len());
         for outline in outlines {
@@ -366,23 +410,15 @@ impl SvgPage {
             &whole,
             around,
             clips.iter().map(Rc::as_ref),
-            &mut self.budget,
-            &mut self.corners_left,
+            &mut work.budget,
+            &mut work.corners_left,
         )?;
-        Ok(Some(FilledArea {
+        Ok(Some(Self {
             whole,
             around,
             shown,
         }))
     }
-}
-
-/// A filled area on the page.
-struct FilledArea {
-    whole: Area,
-    around: Rect,
-    /// The part inside its clip paths; `None` if too complex.
-    shown: Option<Area>,
 }
 
 /// A filled area that clip paths cut.

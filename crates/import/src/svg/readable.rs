@@ -8,6 +8,7 @@ use std::str::FromStr;
 use svgtypes::Length;
 use usvg::roxmltree::{Attribute, Document, Node};
 
+use super::SVG_NAMESPACE;
 use super::check::is_length;
 use super::css::{Found, Styles, presentation, sheets};
 use super::edits::{Additions, Edit, edited, escaped};
@@ -320,6 +321,15 @@ impl<'a> Rewriter<'a> {
             let has_blanks = value.trim() != value && Length::from_str(value.trim()).is_ok();
             return has_blanks.then(|| replaced(value.trim()));
         }
+        // Other elements have attributes of these names with other meanings.
+        let element = node.tag_name();
+        let is_other = element
+            .namespace()
+            .is_some_and(|namespace| namespace != SVG_NAMESPACE)
+            || ANIMATIONS.contains(&element.name());
+        if is_other {
+            return None;
+        }
         match presentation(name, value) {
             Ok(Cow::Borrowed(same)) if same == value => None,
             Ok(value) => Some(replaced(&value)),
@@ -436,6 +446,13 @@ fn marked(doc: &Document<'_>, styles: &Styles<'_>) -> Vec<bool> {
     marked
 }
 
+const ANIMATIONS: [&str; 5] = [
+    "animate",
+    "animateColor",
+    "animateMotion",
+    "animateTransform",
+    "set",
+];
 const DASHES: &str = "stroke-dasharray";
 const SHAPES: [&str; 8] = [
     "circle", "ellipse", "line", "path", "polygon", "polyline", "rect", "text",

@@ -173,7 +173,7 @@ impl<'a> TreeRenderer<'a> {
                 fill: None,
             };
             let corners = strokes.iter().map(|stroke| stroke.points.len()).sum();
-            self.page.budget.spend(corners)?;
+            self.page.work.budget.spend(corners)?;
             self.page.shape(strokes, transform, &ink, clips)?;
         }
         Ok(())
@@ -226,7 +226,7 @@ impl<'a> TreeRenderer<'a> {
     fn flatten(&mut self, path: &Path, transform: Affine) -> Result<Vec<Stroke>, SvgError> {
         let stretch = transform.spectral_norm().max(f64::MIN_POSITIVE);
         let tolerance = self.tolerance_mm / stretch;
-        flatten(path.data(), tolerance, &mut self.page.budget)
+        flatten(path.data(), tolerance, &mut self.page.work.budget)
     }
 
     /// The clip regions; all must contain a visible point.

@@ -38,6 +38,8 @@ pub(crate) enum WarningKind {
     Paper,
     /// One of them that lies on something darker.
     WhiteOnDark,
+    /// A white shape among so many shapes that what is under it is not computed.
+    WhiteUnknown,
     /// A fill that crosses itself too often, or has too many corners with its clip path, for
     /// clipping.
     Entangled,
@@ -113,6 +115,10 @@ impl WarningKind {
             Self::WhiteOnDark => (
                 "white shape on a darker one",
                 "its edge is not drawn; draw it with what.white_edges or what.hide",
+            ),
+            Self::WhiteUnknown => (
+                "white shape",
+                "among too many shapes to find what is under it: its edge, and those of later ones, are not drawn",
             ),
             Self::Entangled => (
                 "filled shape",

@@ -88,6 +88,13 @@ fn an_invalid_value_is_ignored_and_one_before_it_counts() {
 }
 
 #[test]
+fn attributes_of_other_elements_are_not_styles() {
+    let line = r#"<path d="M0 10H50" stroke="red">"#;
+    let other = r#"<animate attributeName="d" fill="freeze" dur="1s"/></path><a xmlns="urn:a" fill="odd" opacity="much"/>"#;
+    assert_eq!(draw(&format!("{line}{other}")).1, []);
+}
+
+#[test]
 fn the_words_for_inherited_and_initial_values_are_read() {
     for (style, name) in [
         ("stroke:inherit", "blue"),

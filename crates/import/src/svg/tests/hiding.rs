@@ -294,3 +294,22 @@ fn the_edges_that_a_clip_path_cuts_into_a_shape_with_a_line_are_drawn() {
     );
     assert_eq!(lengths(r#"fill="orange""#), [("orange".to_owned(), 140.0)]);
 }
+
+#[test]
+fn very_many_white_shapes_on_darker_ones_spoil_nothing_else() {
+    let mut svg = r#"<clipPath id="c"><rect width="50" height="50"/></clipPath>"#.to_owned();
+    for i in 0..9_000_u32 {
+        let at = f64::from(i) * 1e-3;
+        write!(svg, r#"<rect x="{at}" y="{at}" width="20" height="20"/><rect x="{at}" y="{at}" width="9" height="9" fill="white"/>"#).unwrap();
+    }
+    svg += r#"<path d="M0 40H99" stroke="red" clip-path="url(#c)"/>"#;
+    let (strokes, warnings) = draw(&svg);
+    assert_eq!(strokes.len(), 9_001);
+    let texts: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    assert!(
+        texts
+            .iter()
+            .any(|text| text.contains("1 white shape: among too many shapes")),
+        "{texts:?}"
+    );
+}
