@@ -4725,6 +4725,7 @@ export interface components {
              *         "gcode": null,
              *         "strict": false,
              *         "hide": false,
+             *         "white_edges": false,
              *         "hatch": null,
              *         "hatch_angle": 45,
              *         "hatch_style": "lines",
@@ -4826,6 +4827,7 @@ export interface components {
              *       "gcode": null,
              *       "strict": false,
              *       "hide": false,
+             *       "white_edges": false,
              *       "hatch": null,
              *       "hatch_angle": 45,
              *       "hatch_style": "lines",
@@ -4999,6 +5001,11 @@ export interface components {
              * @default false
              */
             hide: boolean;
+            /**
+             * @description Draw the edges of white shapes of an SVG file that lie on darker ones, as `what.hide` does
+             * @default false
+             */
+            white_edges: boolean;
             /**
              * @description Hatch filled areas with this line spacing, in mm (default: as suits the pen or material)
              * @default null

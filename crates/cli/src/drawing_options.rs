@@ -42,6 +42,7 @@ fn rows() -> Vec<Row> {
         parsed::<GcodeTool>("gcode", "TOOL"),
         flag("strict"),
         flag("hide"),
+        flag("white_edges"),
         parsed::<Spacing>("hatch", "MM")
             .arg(|arg| arg.num_args(0..=1).default_missing_value("auto")),
         number("hatch_angle", "DEGREES").arg(|arg| arg.requires("hatch")),

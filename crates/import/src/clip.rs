@@ -134,18 +134,7 @@ impl ClipArea {
             let is_known = self.charge(budget);
             return Ok(is_known.then(|| seen.into_iter().collect()));
         }
-        let cuts = |a: Point, b: Point, cuts: &mut Vec<f64>| {
-            self.each(&mut |area| area.cuts(a, b, cuts));
-        };
-        let spend = |cuts| {
-            budget.spend(cuts).map_err(Some)?;
-            self.charge(budget).then_some(()).ok_or(None)
-        };
-        match parts(stroke, cuts, |p| !self.covers(p), spend) {
-            Ok(seen) => Ok(Some(seen)),
-            Err(Some(over_budget)) => Err(over_budget),
-            Err(None) => Ok(None),
-        }
+        parts_on(stroke, &[self], |p| !self.covers(p), budget)
     }
 
     /// Charges the edge tests since the last call to the budget; `false` if it is exhausted.
@@ -212,7 +201,8 @@ impl ClipArea {
         }
     }
 
-    fn is_on_edge(&self, p: Point) -> bool {
+    /// Whether a point is on an edge of the area.
+    pub(crate) fn is_on_edge(&self, p: Point) -> bool {
         let mut on_edge = false;
         let around = Rect::from_points(p, p).inflate(ON_EDGE_MM, ON_EDGE_MM);
         self.edges_touching(around, &mut |(a, b)| {
@@ -253,6 +243,31 @@ impl ClipArea {
                 .chain(closing)
         });
         edges.filter(|(a, b)| a != b)
+    }
+}
+
+/// The parts of a stroke that are kept, where the decision changes only at the edges of areas;
+/// `None` if the budget of edge tests is exhausted.
+pub(crate) fn parts_on(
+    stroke: &Stroke,
+    areas: &[&ClipArea],
+    keeps: impl Fn(Point) -> bool,
+    budget: &mut Budget,
+) -> Result<Option<Vec<Stroke>>, OverBudget> {
+    let cuts = |a: Point, b: Point, cuts: &mut Vec<f64>| {
+        for area in areas {
+            area.each(&mut |area| area.cuts(a, b, cuts));
+        }
+    };
+    let spend = |cuts| {
+        budget.spend(cuts).map_err(Some)?;
+        let is_known = areas.iter().all(|area| area.charge(budget));
+        is_known.then_some(()).ok_or(None)
+    };
+    match parts(stroke, cuts, keeps, spend) {
+        Ok(parts) => Ok(Some(parts)),
+        Err(Some(over_budget)) => Err(over_budget),
+        Err(None) => Ok(None),
     }
 }
 

@@ -120,10 +120,36 @@ fn is_media(start: &[u8], brands: &[&[u8]]) -> bool {
 fn is_html(start: &[u8]) -> bool {
     let text = String::from_utf8_lossy(start).to_ascii_lowercase();
     let text = text.trim_start_matches('\u{FEFF}').trim_start();
+    let is_end = |c: char| c == '>' || c.is_whitespace();
+    let tag = |mark: &&str| {
+        let mut found = text.match_indices(mark);
+        let whole = found.find(|(at, _)| text[at + mark.len()..].starts_with(is_end));
+        whole.map(|(at, _)| at)
+    };
     let page = ["<!doctype html", "<html", "<head", "<body"];
-    let first = page.iter().filter_map(|mark| text.find(mark)).min();
+    let first = page.iter().filter_map(tag).min();
     let drawing = text.find("<svg").unwrap_or(text.len());
     text.starts_with('<') && first.is_some_and(|first| first < drawing)
 }
 
 const OFFICE: &str = "export the drawing in it as SVG, or all of it as PDF, which `pdftocairo -svg in.pdf out.svg` converts";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_web_page_under_another_name_is_recognised() {
+        for page in [
+            "<!DOCTYPE html><html>",
+            "\u{feff}\n<HTML lang='en'><br>",
+            "<html></html>",
+        ] {
+            let error = refuse_foreign(page.as_bytes()).expect_err("a web page");
+            assert!(error.to_string().contains("an HTML page"), "{error}");
+        }
+        for other in ["<svg/>", "<!DOCTYPE svg><svg/>", "<htmlish/>"] {
+            assert!(refuse_foreign(other.as_bytes()).is_ok(), "{other}");
+        }
+    }
+}

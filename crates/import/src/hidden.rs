@@ -6,11 +6,11 @@ use std::rc::Rc;
 use dobot_geometry::{Area, Point, Rect, SegmentIndex, Stroke, bounds};
 
 use crate::artwork::Layer;
-use crate::clip::{ClipArea, Region};
+use crate::clip::{ClipArea, Region, parts_on};
 use crate::limits::{Budget, OverBudget};
 use crate::polygon::Polygons;
 
-/// The hiding areas, in the order in which they are painted.
+/// The painted areas, in their order.
 #[derive(Debug, Default)]
 pub(crate) struct Covers(Vec<Cover>);
 
@@ -20,13 +20,56 @@ impl Covers {
         u32::try_from(self.0.len()).expect("each has corners, and those are counted")
     }
 
-    /// Adds an area over everything painted before.
-    pub(crate) fn put(&mut self, area: ClipArea) {
+    /// Adds an area over everything painted before, and whether it hides that.
+    pub(crate) fn put(&mut self, area: ClipArea, paint: CoverPaint, hides: bool) {
         self.0.push(Cover {
             bounds: area.bounds(),
             area,
+            paint,
+            hides,
             polygons: OnceCell::new(),
         });
+    }
+
+    /// The parts of the edge of a white shape that lie on something darker painted before, with its
+    /// colour; `None` if the budget of edge tests is exhausted.
+    pub(crate) fn darker_under(
+        &self,
+        edge: &Stroke,
+        budget: &mut Budget,
+    ) -> Result<Option<Vec<ColoredStroke>>, OverBudget> {
+        let around = bounds(edge.points.iter().copied());
+        if !budget.take_looks(LOOKS_FOR_COVER + self.0.len()) {
+            return Ok(None);
+        }
+        let touching = self
+            .0
+            .iter()
+            .rev()
+            .filter(|cover| cover.bounds.overlaps(around));
+        let under: Vec<&Cover> = touching.collect();
+        let areas: Vec<&ClipArea> = under.iter().map(|cover| &cover.area).collect();
+        let mut paints: Vec<CoverPaint> = under.iter().map(|cover| cover.paint).collect();
+        paints.sort_unstable();
+        paints.dedup();
+        let mut parts = Vec::new();
+        for paint in paints {
+            let CoverPaint::Ink(color) = paint else {
+                continue;
+            };
+            let is_on = |p| {
+                under
+                    .iter()
+                    .find(|cover| cover.area.covers(p))
+                    .map(|top| top.paint)
+            };
+            let found = parts_on(edge, &areas, |p| is_on(p) == Some(paint), budget)?;
+            let Some(found) = found else {
+                return Ok(None);
+            };
+            parts.extend(found.into_iter().map(|part| (color, part)));
+        }
+        Ok(Some(parts))
     }
 
     /// Limits all areas after the first `count` to a region.
@@ -46,7 +89,7 @@ impl Covers {
         fills: bool,
         budget: &mut Budget,
     ) -> Result<(Vec<Layer>, usize), OverBudget> {
-        if self.0.is_empty() {
+        if !self.0.iter().any(|cover| cover.hides) {
             return Ok((layers, 0));
         }
         let mut sight = self.sight();
@@ -198,7 +241,7 @@ impl Sight {
         let mut looks = 0;
         self.boxes.touching(around, &mut |cover| {
             looks += 1;
-            if cover >= height {
+            if cover >= height && self.covers[cover as usize].hides {
                 over.push(cover);
             }
         });
@@ -209,11 +252,26 @@ impl Sight {
     }
 }
 
-/// An area that hides what is under it.
+/// A line with its colour; `None` for a pattern.
+pub(crate) type ColoredStroke = (Option<[u8; 3]>, Stroke);
+
+/// What an area is painted with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum CoverPaint {
+    /// White, the colour of the paper.
+    Paper,
+    /// A colour, or a pattern.
+    Ink(Option<[u8; 3]>),
+}
+
+/// A painted area.
 #[derive(Debug)]
 struct Cover {
     area: ClipArea,
     bounds: Rect,
+    paint: CoverPaint,
+    /// Whether it hides what is under it.
+    hides: bool,
     /// The area as polygons, computed on demand; `None` if too complex.
     polygons: OnceCell<Option<Polygons>>,
 }

@@ -25,6 +25,9 @@ pub struct ReadOptions {
     pub crops: bool,
     /// Whether the filled shapes of an SVG, DXF or HP-GL file hide what is under them.
     pub hides: bool,
+    /// Whether the edges of white shapes are drawn where they lie on darker ones; hiding draws them
+    /// too.
+    pub white_edges: bool,
     /// Whether the areas of partly hidden shapes are needed, which takes most of the time.
     pub fills: bool,
     /// Whether a laser draws: then nothing is burned while G-code switches it off (M5, M107, S0),
@@ -53,6 +56,7 @@ impl Default for ReadOptions {
             layers: LayersBy::default(),
             crops: true,
             hides: false,
+            white_edges: false,
             fills: true,
             burns: true,
             gcode: None,

@@ -7,6 +7,7 @@
 
 mod contour;
 mod decode;
+mod deep;
 mod exif;
 mod flow;
 mod frames;

@@ -6,7 +6,7 @@ use dobot_geometry::{FillRule, Point, Stroke};
 
 use crate::artwork::Layer;
 use crate::clip::{ClipArea, Region};
-use crate::hidden::{Covers, Heights};
+use crate::hidden::{CoverPaint, Covers, Heights};
 use crate::limits::{Budget, OverBudget};
 
 /// The hiding areas, and the number of them below the ink of each layer.
@@ -37,7 +37,8 @@ impl Stack {
     pub(crate) fn cover(&mut self, layers: &[Layer], rings: &[Vec<Point>], rule: FillRule) {
         self.note(layers);
         let outlines: Vec<Stroke> = rings.iter().cloned().map(Stroke::open).collect();
-        self.covers.put(ClipArea::new(&outlines, rule, Vec::new()));
+        let area = ClipArea::new(&outlines, rule, Vec::new());
+        self.covers.put(area, CoverPaint::Ink(None), true);
     }
 
     /// Limits the areas above the first `height` to a region.

@@ -3,26 +3,26 @@
 mod check;
 mod color;
 mod css;
-mod declared;
+mod dtd;
 mod edits;
 mod entities;
 mod expand;
 mod flatten;
 mod font;
+mod foreign_text;
 mod groups;
 mod handles;
 mod ink;
 mod layers;
 mod letters;
+mod mask;
 mod page;
 mod page_size;
+mod pattern;
 mod points;
 mod readable;
 mod renderer;
-mod selectors;
-mod sheets;
 mod single_line;
-mod styles;
 mod substitutes;
 mod unread;
 mod warning_count;
@@ -30,14 +30,16 @@ mod warning_count;
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 
-use simplecss::StyleSheet;
+use dobot_geometry::CancelToken;
 use usvg::fontdb::Family;
 use usvg::roxmltree::{Document, Node};
-use usvg::{FontResolver, ImageHrefResolver, Tree};
+use usvg::{FontResolver, ImageHrefResolver, ImageKind, Tree};
 
-use self::declared::{Declared, rules};
+use self::check::Damage;
+use self::css::{Found, Styles};
 pub(crate) use self::font::SvgFont;
 use self::groups::Groups;
 use self::page::SvgPage;
@@ -74,7 +76,7 @@ pub(crate) fn read(
 /// units of the text; 0 without a text that can be shown.
 pub(crate) fn text_width(text: &str, options: &ReadOptions) -> f64 {
     let substitutes = Substitutes::default();
-    let tree = parse(text, options, &TreeWarnings::new(&substitutes)).map(|parsed| parsed.0);
+    let tree = parse(text, options, &TreeWarnings::new(&substitutes), 0).map(|parsed| parsed.0);
     let width = tree.ok().and_then(|tree| first_text_width(tree.root()));
     width.unwrap_or_default()
 }
@@ -104,18 +106,24 @@ fn draw(
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let tolerance_mm = checked_tolerance_mm(options.tolerance_mm)?;
     let tree_warnings = TreeWarnings::new(substitutes);
-    let (tree, groups, facts) = parse(text, options, &tree_warnings)?;
+    let (tree, groups, facts) = parse(text, options, &tree_warnings, 0)?;
     let mut page = SvgPage::new(renderer::page_mm(&tree), options);
     TreeRenderer::new(&mut page, tolerance_mm, &groups).tree(&tree)?;
     // It takes as much memory as the page, which may need more of it now.
     drop(tree);
-    let others = page.cut().into_iter().chain(facts.lone);
+    let inner = tree_warnings
+        .inner
+        .lock()
+        .unwrap_or_else(PoisonError::into_inner);
+    let (inner, counts) = inner.clone();
+    let others = page.cut().into_iter().chain(facts.warnings).chain(inner);
     let (artwork, mut warnings) = page.finish()?;
+    warnings.extend(facts.counts.into_iter().chain(counts));
     tree_warnings.warn(&mut warnings);
     if artwork.layers.is_empty() {
         return Err(nothing_to_draw(&warnings, others.collect()));
     }
-    let warnings = warnings
+    let warnings = merged(warnings)
         .into_iter()
         .map(|warning| facts.unread.warning(warning));
     Ok((artwork, warnings.chain(others).collect()))
@@ -123,8 +131,9 @@ fn draw(
 
 /// Facts about the original file, collected before it is rewritten.
 struct FileFacts {
-    /// The warning about points without y.
-    lone: Option<Warning>,
+    /// Warnings with places: about points without y, and about invalid values.
+    warnings: Vec<Warning>,
+    counts: Vec<WarningCount>,
     unread: UnreadPlaces,
 }
 
@@ -133,42 +142,75 @@ struct TreeWarnings<'a> {
     images: AtomicUsize,
     flowed: AtomicUsize,
     foreign: AtomicUsize,
-    moved: AtomicUsize,
-    sized: AtomicUsize,
     clipped: AtomicUsize,
-    linked: AtomicUsize,
-    rules: AtomicUsize,
-    unread_sizes: AtomicUsize,
-    solid: AtomicUsize,
     fontless: AtomicUsize,
     missing_glyphs: AtomicUsize,
+    /// The warnings of images that are SVG files.
+    inner: Mutex<(Vec<Warning>, Vec<WarningCount>)>,
+    /// The number of elements that the file and its images may still have.
+    elements_left: AtomicU64,
     substitutes: &'a Substitutes,
 }
 
 impl<'a> TreeWarnings<'a> {
-    const fn new(substitutes: &'a Substitutes) -> Self {
+    fn new(substitutes: &'a Substitutes) -> Self {
         Self {
             images: AtomicUsize::new(0),
             flowed: AtomicUsize::new(0),
             foreign: AtomicUsize::new(0),
-            moved: AtomicUsize::new(0),
-            sized: AtomicUsize::new(0),
             clipped: AtomicUsize::new(0),
-            linked: AtomicUsize::new(0),
-            rules: AtomicUsize::new(0),
-            unread_sizes: AtomicUsize::new(0),
-            solid: AtomicUsize::new(0),
             fontless: AtomicUsize::new(0),
             missing_glyphs: AtomicUsize::new(0),
+            inner: Mutex::default(),
+            elements_left: AtomicU64::new(expand::MAX_ELEMENTS),
             substitutes,
         }
     }
 
-    fn image_resolver(&self) -> ImageHrefResolver<'_> {
+    /// Reads images that are SVG files, except those in such images, and counts others.
+    fn image_resolver<'s>(&'s self, options: &'s ReadOptions, depth: u32) -> ImageHrefResolver<'s> {
+        let inner = move |kind: &str, data: &[u8]| {
+            let is_svg = kind == "image/svg+xml" && depth == 0;
+            let tree = is_svg.then(|| self.inner_tree(data, options));
+            tree.flatten()
+                .map(ImageKind::SVG)
+                .or_else(|| count(&self.images))
+        };
         ImageHrefResolver {
-            resolve_data: Box::new(|_, _, _| count(&self.images)),
+            resolve_data: Box::new(move |kind, data, _| inner(kind, &data)),
             resolve_string: Box::new(|_, _| count(&self.images)),
         }
+    }
+
+    /// The tree of an image that is an SVG file.
+    fn inner_tree(&self, data: &[u8], options: &ReadOptions) -> Option<Tree> {
+        let options = ReadOptions {
+            layers: LayersBy::Color,
+            ..options.clone()
+        };
+        let text = str::from_utf8(data).ok()?;
+        let (tree, _, facts) = parse(text, &options, self, 1).ok()?;
+        let mut inner = self.inner.lock().unwrap_or_else(PoisonError::into_inner);
+        // Their places are in another text.
+        let warnings = facts.warnings.into_iter().map(|warning| Warning {
+            place: None,
+            ..warning
+        });
+        inner.0.extend(warnings);
+        inner.1.extend(facts.counts);
+        Some(tree)
+    }
+
+    /// Refuses a file whose images have too many elements together with it.
+    fn spend_elements(&self, elements: u64) -> Result<(), SvgError> {
+        let left = self
+            .elements_left
+            .load(Ordering::Relaxed)
+            .checked_sub(elements);
+        self.elements_left
+            .store(left.unwrap_or_default(), Ordering::Relaxed);
+        let limit = expand::MAX_ELEMENTS;
+        left.map(|_| ()).ok_or(SvgError::TooManyElements { limit })
     }
 
     /// Like a browser, takes any font rather than none.
@@ -194,41 +236,24 @@ impl<'a> TreeWarnings<'a> {
     }
 
     /// Counts what the library drops silently.
-    fn note_unread(&self, doc: &Document<'_>, rules: &StyleSheet<'_>) {
+    fn note_unread(&self, doc: &Document<'_>) {
         let elements = || doc.descendants().filter(Node::is_element);
         let named = |node: &Node<'_, '_>, name: &str| node.tag_name().name() == name;
         let flowed = elements().filter(|element| named(element, "flowRoot"));
-        self.flowed.store(flowed.count(), Ordering::Relaxed);
+        self.flowed.fetch_add(flowed.count(), Ordering::Relaxed);
         let has_text = |element: &Node<'_, '_>| {
             let mut texts = element.descendants().filter_map(|node| node.text());
             texts.any(|text| !text.trim().is_empty())
         };
         let foreign =
             elements().filter(|element| named(element, "foreignObject") && has_text(element));
-        self.foreign.store(foreign.count(), Ordering::Relaxed);
-        let moves = Declared::of(rules, |name, value| {
-            MOVES.contains(&name) && value != "none"
-        });
-        let moved = elements().filter(|element| moves.of_element(*element));
-        self.moved.store(moved.count(), Ordering::Relaxed);
-        let clips = Declared::of(rules, |name, value| {
-            name == "clip-path" && value != "none" && !value.starts_with("url")
-        });
-        let clipped = elements().filter(|element| clips.of_element(*element));
-        self.clipped.store(clipped.count(), Ordering::Relaxed);
-        let links = |node: &Node<'_, '_>| {
-            let target = node
-                .attributes()
-                .find(|attribute| attribute.name() == "href");
-            target.is_some_and(|target| !target.value().trim().starts_with('#'))
+        self.foreign.fetch_add(foreign.count(), Ordering::Relaxed);
+        let is_clipped = |element: &Node<'_, '_>| {
+            let clip = element.attribute("clip-path").unwrap_or("none");
+            clip != "none" && !clip.starts_with("url")
         };
-        let linked = elements().filter(|element| named(element, "use") && links(element));
-        self.linked.store(linked.count(), Ordering::Relaxed);
-        let sizes = Declared::of(rules, |name, _| SIZES.contains(&name));
-        let sized = elements().filter(|element| {
-            SHAPES.iter().any(|name| named(element, name)) && sizes.of_element(*element)
-        });
-        self.sized.store(sized.count(), Ordering::Relaxed);
+        let clipped = elements().filter(is_clipped);
+        self.clipped.fetch_add(clipped.count(), Ordering::Relaxed);
     }
 
     fn warn(&self, warnings: &mut Vec<WarningCount>) {
@@ -236,13 +261,7 @@ impl<'a> TreeWarnings<'a> {
             (WarningKind::Image, &self.images),
             (WarningKind::FlowedText, &self.flowed),
             (WarningKind::ForeignText, &self.foreign),
-            (WarningKind::MovedByStyle, &self.moved),
-            (WarningKind::SizedByStyle, &self.sized),
             (WarningKind::ClippedByStyle, &self.clipped),
-            (WarningKind::LinkedShape, &self.linked),
-            (WarningKind::UnreadRule, &self.rules),
-            (WarningKind::UnreadSize, &self.unread_sizes),
-            (WarningKind::SolidPath, &self.solid),
             (WarningKind::TextWithoutFont, &self.fontless),
             (WarningKind::MissingGlyph, &self.missing_glyphs),
         ];
@@ -260,66 +279,89 @@ fn count<T>(counter: &AtomicUsize) -> Option<T> {
 }
 
 /// The tree of shapes, the names of its outermost groups if they are layers, and facts about the
-/// file.
+/// file, which is an image in another one if `depth` is above 0.
 fn parse(
     text: &str,
     options: &ReadOptions,
     tree_warnings: &TreeWarnings<'_>,
+    depth: u32,
 ) -> Result<(Tree, HashMap<String, String>, FileFacts), SourceError> {
     if text.trim().is_empty() {
         return Err(SvgError::EmptyFile.into());
     }
     entities::check(text)?;
     options.cancel.check()?;
+    let text = &*dtd::with_defaults(text, &options.cancel)?;
     let doc = xml::tree(text, true)?;
     check_root(&doc)?;
-    styles::check(&doc)?;
-    options.cancel.check()?;
-    let facts = FileFacts {
-        lone: lone_coordinates(&doc),
-        unread: UnreadPlaces::of(&doc, text),
-    };
-    let readable = Readable::of(&doc, text);
-    tree_warnings
-        .rules
-        .store(readable.unread_rules, Ordering::Relaxed);
-    tree_warnings
-        .unread_sizes
-        .store(readable.unread_sizes, Ordering::Relaxed);
-    tree_warnings.solid.store(readable.solid, Ordering::Relaxed);
-    let Some(text) = readable.text else {
-        let (tree, groups) = tree_of(doc, text, options, tree_warnings)?;
+    let (rewritten, facts) = rewritten(&doc, text, &options.cancel)?;
+    let Some(text) = rewritten else {
+        let (tree, groups) = tree_of(doc, text, options, tree_warnings, depth)?;
         return Ok((tree, groups, facts));
     };
     // There is no memory for two.
     drop(doc);
     let doc = xml::tree(&text, true)?;
-    styles::check(&doc)?;
-    let (tree, groups) = tree_of(doc, &text, options, tree_warnings)?;
+    let (tree, groups) = tree_of(doc, &text, options, tree_warnings, depth)?;
     Ok((tree, groups, facts))
 }
 
-/// The tree of a rewritten file whose styles were checked.
+/// The file as the library reads it, if it differs, and facts about the original one.
+fn rewritten(
+    doc: &Document<'_>,
+    text: &str,
+    cancel: &CancelToken,
+) -> Result<(Option<String>, FileFacts), SourceError> {
+    let sheets = css::sheet_texts(doc);
+    let styles = Styles::of(doc, &sheets, cancel)?;
+    let Damage {
+        edits, warnings, ..
+    } = Damage::of(doc, cancel)?;
+    let Readable {
+        text: new,
+        warnings: counts,
+    } = Readable::of(doc, text, &styles, edits, cancel)?;
+    let mut unread = UnreadPlaces::of(doc, text, &styles);
+    for (kind, found) in &counts {
+        if let Some(at) = found.first {
+            unread.note(*kind, doc.text_pos_at(at).into());
+        }
+    }
+    let count = |(kind, found): (WarningKind, Found)| WarningCount {
+        kind,
+        count: found.count,
+    };
+    let facts = FileFacts {
+        warnings: lone_coordinates(doc).into_iter().chain(warnings).collect(),
+        counts: counts.into_iter().map(count).collect(),
+        unread,
+    };
+    Ok((new, facts))
+}
+
+/// The tree of a rewritten file.
 fn tree_of(
     doc: Document<'_>,
     text: &str,
     options: &ReadOptions,
     tree_warnings: &TreeWarnings<'_>,
+    depth: u32,
 ) -> Result<(Tree, HashMap<String, String>), SourceError> {
-    let segments = check::check(&doc, &mut Budget::until(MAX_SEGMENTS, &options.cancel))?;
-    let rules = rules(&doc);
-    expand::check(&doc, &rules, &segments)?;
-    tree_warnings.note_unread(&doc, &rules);
+    let segments = check::segments(&doc, &mut Budget::until(MAX_SEGMENTS, &options.cancel))?;
+    tree_warnings.spend_elements(expand::check(&doc, &segments)?)?;
+    tree_warnings.note_unread(&doc);
     options.cancel.check()?;
     let usvg_options = usvg::Options {
         font_family: options.fonts.family_name(&Family::Serif).to_owned(),
         fontdb: Arc::clone(&options.fonts),
         font_resolver: tree_warnings.font_resolver(),
-        image_href_resolver: tree_warnings.image_resolver(),
+        image_href_resolver: tree_warnings.image_resolver(options, depth),
         ..usvg::Options::default()
     };
     if options.layers != LayersBy::Group {
         let tree = Tree::from_xmltree(&doc, &usvg_options).map_err(|error| unreadable(&error));
+        // A cancelled image is none.
+        options.cancel.check()?;
         return Ok((tree?, HashMap::new()));
     }
     let Groups { names, text } = Groups::new(&doc, text);
@@ -331,7 +373,20 @@ fn tree_of(
             Tree::from_str(&text, &usvg_options)
         }
     };
+    options.cancel.check()?;
     Ok((tree.map_err(|error| unreadable(&error))?, names))
+}
+
+/// The counts, each kind once.
+fn merged(counts: Vec<WarningCount>) -> Vec<WarningCount> {
+    let mut merged: Vec<WarningCount> = Vec::new();
+    for found in counts {
+        match merged.iter_mut().find(|known| known.kind == found.kind) {
+            Some(known) => known.count += found.count,
+            None => merged.push(found),
+        }
+    }
+    merged
 }
 
 fn check_root(doc: &Document<'_>) -> Result<(), SvgError> {
@@ -367,13 +422,6 @@ fn nothing_to_draw(warnings: &[WarningCount], others: Vec<Warning>) -> SourceErr
     SourceError::nothing_to_draw(texts)
 }
 
-/// Properties that move an element.
-const MOVES: [&str; 4] = ["transform", "translate", "rotate", "scale"];
-/// Shapes, and their geometry properties since SVG 2.
-const SHAPES: [&str; 4] = ["circle", "ellipse", "path", "rect"];
-const SIZES: [&str; 10] = [
-    "cx", "cy", "d", "height", "r", "rx", "ry", "width", "x", "y",
-];
 const SVG_NAMESPACE: &str = "http://www.w3.org/2000/svg";
 
 #[cfg(test)]

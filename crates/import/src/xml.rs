@@ -132,7 +132,7 @@ fn offset(text: &str, place: Place) -> usize {
 }
 
 /// The end of a tag, a comment or another markup at the start of a text.
-fn tag_end(text: &str) -> Option<usize> {
+pub(crate) fn tag_end(text: &str) -> Option<usize> {
     let after = |mark: &str| text.find(mark).map(|at| at + mark.len());
     if text.starts_with("<!--") {
         return after("-->");

@@ -155,6 +155,7 @@ impl DrawingRequest {
             gcode: options.what.gcode,
             strict: options.what.strict,
             hides: options.what.hide,
+            white_edges: options.what.white_edges,
             join_mm: options.way.join,
             drops_duplicates: options.way.drop_doubles,
             pen_passes: options.tool.passes.unwrap_or(1),

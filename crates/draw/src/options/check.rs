@@ -387,7 +387,7 @@ impl fmt::Display for Purpose {
 }
 
 /// Returns each field, whether it is given, and its purpose. Values set by a material do not count.
-fn given(options: &Options) -> [(&'static str, bool, Purpose); 38] {
+fn given(options: &Options) -> [(&'static str, bool, Purpose); 39] {
     let Options {
         what, place, tool, ..
     } = options;
@@ -422,6 +422,7 @@ fn given(options: &Options) -> [(&'static str, bool, Purpose); 38] {
         ("what.no_crop", what.no_crop, Purpose::Pages),
         ("what.gcode", what.gcode.is_some(), Purpose::Gcode),
         ("what.hide", what.hide, Purpose::Painted),
+        ("what.white_edges", what.white_edges, Purpose::Pages),
         ("place.fit", place.fit, Purpose::Drawings),
         (
             "place.paper_size",

@@ -57,6 +57,8 @@ pub struct ContentOptions {
     pub strict: bool,
     /// Remove what is covered by filled shapes painted over it, including white ones
     pub hide: bool,
+    /// Draw the edges of white shapes of an SVG file that lie on darker ones, as `what.hide` does
+    pub white_edges: bool,
     /// Hatch filled areas with this line spacing, in mm (default: as suits the pen or material)
     pub hatch: Option<Spacing>,
     /// Hatch angle, in degrees counterclockwise from left to right
@@ -111,6 +113,7 @@ impl Default for ContentOptions {
             gcode: None,
             strict: false,
             hide: false,
+            white_edges: false,
             hatch: None,
             hatch_angle: 45.0,
             hatch_style: HatchStyle::Lines,

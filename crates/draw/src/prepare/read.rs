@@ -191,6 +191,7 @@ impl<'a> Reading<'a> {
             gcode: settings.gcode,
             strict: settings.strict,
             hides: settings.hides,
+            white_edges: settings.white_edges,
             fills: settings.hatch.is_some(),
             burns: settings.tool.burns() || settings.tools.iter().any(|(_, tool)| tool.burns()),
             fonts: Arc::clone(&settings.fonts),

@@ -66,6 +66,8 @@ pub struct Settings {
     pub strict: bool,
     /// Whether filled shapes of an SVG, DXF or HP-GL file hide what lies below.
     pub hides: bool,
+    /// Whether the edges of white shapes of an SVG file are drawn where they lie on darker ones.
+    pub white_edges: bool,
     /// The distance up to which stroke ends are joined, in mm; the tolerance by default.
     pub join_mm: Option<f64>,
     /// Whether duplicate lines are removed.
@@ -171,6 +173,7 @@ impl Default for Settings {
             gcode: None,
             strict: false,
             hides: false,
+            white_edges: false,
             join_mm: None,
             drops_duplicates: false,
             pen_passes: 1,

@@ -38,20 +38,6 @@ pub enum SvgError {
         /// Its name.
         found: String,
     },
-    /// An attribute has an invalid value. Browsers stop drawing the shape here.
-    #[error("{place}: {attribute} of <{element}> {found}; expected {expected}")]
-    BadValue {
-        /// The place in the value.
-        place: Place,
-        /// The attribute's name.
-        attribute: String,
-        /// The element's name.
-        element: String,
-        /// The text at the place, shortened, or the text at whose end the value is incomplete.
-        found: String,
-        /// What is allowed there.
-        expected: &'static str,
-    },
     /// Entities expand to too much text.
     #[error("{place}: entities that expand to {problem}; save the file without a DOCTYPE")]
     Entities {
@@ -96,7 +82,7 @@ pub enum SvgError {
     },
     /// The styles take too long to read.
     #[error(
-        "the styles (CSS) of the elements take too long to read, including copies; save the file as plain SVG, without long style attributes"
+        "the styles (CSS) take too long to read; use fewer rules, or save the file as plain SVG"
     )]
     LongStyles,
     /// The drawing has too many line segments.

@@ -4,12 +4,13 @@ use std::io::Cursor;
 
 use dobot_geometry::Point;
 use image::ImageFormat;
-use png::{ColorType, Limits, Transformations, Unit};
+use png::{BitDepth, ColorType, Limits, Transformations, Unit};
 use zune_jpeg::JpegDecoder;
 use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
+use super::deep::DeepPixels;
 use super::exif::Orientation;
 use super::frames::ANIMATION;
 use super::others;
@@ -114,7 +115,7 @@ struct PngFile<'a> {
 fn png(bytes: &[u8]) -> Result<PngFile<'_>, ImageError> {
     let limits = Limits { bytes: PNG_BYTES };
     let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
-    decoder.set_transformations(Transformations::normalize_to_color8());
+    decoder.set_transformations(Transformations::EXPAND);
     let info = decoder.read_header_info().map_err(bad_png)?;
     let [width, height] = [info.width, info.height].map(|value| value as usize);
     let mut header = Header {
@@ -143,22 +144,66 @@ fn png(bytes: &[u8]) -> Result<PngFile<'_>, ImageError> {
 
 fn png_pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), ImageError> {
     let PngFile { mut reader, header } = png(bytes)?;
-    let color = reader.output_color_type().0;
+    let (color, depth) = reader.output_color_type();
+    if depth == BitDepth::Sixteen {
+        let mut deep = DeepPixels::default();
+        rows(&mut reader, |row| add_deep(&mut deep, row, color))?;
+        return complete(header, deep.shallow(paper));
+    }
     let mut grey = Vec::with_capacity(header.width * header.height);
+    rows(&mut reader, |row| add_grey(&mut grey, row, color, paper))?;
+    complete(header, grey)
+}
+
+/// Reads all rows of a PNG file, one by one unless they are interlaced.
+fn rows(
+    reader: &mut png::Reader<Cursor<&[u8]>>,
+    mut add: impl FnMut(&[u8]),
+) -> Result<(), ImageError> {
     if reader.info().interlaced {
         let size = reader.output_buffer_size();
         let mut all = vec![0; size.ok_or_else(|| bad_png("too large"))?];
         reader.next_frame(&mut all).map_err(bad_png)?;
-        add_grey(&mut grey, &all, color, paper);
-    } else {
-        while let Some(row) = reader.next_row().map_err(bad_png)? {
-            add_grey(&mut grey, row.data(), color, paper);
-        }
+        add(&all);
+        return Ok(());
     }
+    while let Some(row) = reader.next_row().map_err(bad_png)? {
+        add(row.data());
+    }
+    Ok(())
+}
+
+fn complete(header: Header, grey: Vec<u8>) -> Result<(Header, Vec<u8>), ImageError> {
     if grey.len() == header.width * header.height {
         return Ok((header, grey));
     }
     Err(bad_png("some pixels are missing"))
+}
+
+/// Adds pixels of a PNG file with 16 bits per value, the upper 8 first.
+fn add_deep(deep: &mut DeepPixels, row: &[u8], color: ColorType) {
+    let values: Vec<u16> = row
+        .chunks_exact(2)
+        .map(|pair| u16::from_be_bytes([pair[0], pair[1]]))
+        .collect();
+    match color {
+        ColorType::Grayscale | ColorType::Indexed => values.iter().for_each(|&grey| deep.add(grey)),
+        ColorType::GrayscaleAlpha => {
+            for pixel in values.chunks_exact(2) {
+                deep.add_transparent(pixel[0], pixel[1]);
+            }
+        }
+        ColorType::Rgb => {
+            for pixel in values.chunks_exact(3) {
+                deep.add(deep_luma(pixel));
+            }
+        }
+        ColorType::Rgba => {
+            for pixel in values.chunks_exact(4) {
+                deep.add_transparent(deep_luma(pixel), pixel[3]);
+            }
+        }
+    }
 }
 
 /// Blends a transparent pixel with the paper.
@@ -245,6 +290,13 @@ fn jpeg_pixels(bytes: &[u8]) -> Result<(Header, Vec<u8>), ImageError> {
 fn luma(rgb: &[u8]) -> u8 {
     let [red, green, blue] = [rgb[0], rgb[1], rgb[2]].map(u32::from);
     byte((299 * red + 587 * green + 114 * blue + 500) / 1000)
+}
+
+/// The luma of a colour of 16 bits per value.
+pub(super) fn deep_luma(rgb: &[u16]) -> u16 {
+    let [red, green, blue] = [rgb[0], rgb[1], rgb[2]].map(u32::from);
+    let luma = (299 * red + 587 * green + 114 * blue + 500) / 1000;
+    u16::try_from(luma).expect("a mean of 16-bit values")
 }
 
 fn byte(value: u32) -> u8 {

@@ -6,6 +6,7 @@ use dobot_geometry::Point;
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
 use super::decode::{self, Header, PIXEL_MM, on_paper};
+use super::deep::DeepPixels;
 use super::exif::Orientation;
 use super::frames::series;
 use crate::error::ImageError;
@@ -24,6 +25,17 @@ pub(super) fn pixels(
 ) -> Result<(Header, Vec<u8>), ImageError> {
     let (decoder, header) = decoder(bytes, format)?;
     let image = DynamicImage::from_decoder(decoder).map_err(|error| damaged(format, &error))?;
+    if let DynamicImage::ImageLuma16(_)
+    | DynamicImage::ImageLumaA16(_)
+    | DynamicImage::ImageRgb16(_)
+    | DynamicImage::ImageRgba16(_) = image
+    {
+        let mut deep = DeepPixels::default();
+        for pixel in image.into_luma_alpha16().pixels() {
+            deep.add_transparent(pixel.0[0], pixel.0[1]);
+        }
+        return Ok((header, deep.shallow(paper)));
+    }
     let image = image.into_luma_alpha8();
     let grey = image
         .pixels()

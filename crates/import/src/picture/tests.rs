@@ -388,6 +388,57 @@ fn every_kind_of_png_is_read() {
 }
 
 #[test]
+fn a_picture_of_16_bits_with_small_values_uses_the_full_range() {
+    let wide = |values: &[u16]| -> Vec<u8> {
+        values
+            .iter()
+            .flat_map(|value| value.to_be_bytes())
+            .collect()
+    };
+    // 12 bits of a camera, and 4 bits.
+    for white in [4095, 15] {
+        let values = [0, white / 2, white, white / 4];
+        let file = encoded(
+            2,
+            2,
+            ColorType::Grayscale,
+            BitDepth::Sixteen,
+            &wide(&values),
+        );
+        let found = seen(&file);
+        assert_eq!((found[0], found[2]), (0, 255));
+        assert!(
+            found[1].abs_diff(127) < 13 && found[3].abs_diff(63) < 13,
+            "{found:?}"
+        );
+        let colors: Vec<u16> = values.iter().flat_map(|&value| [value; 3]).collect();
+        let file = encoded(2, 2, ColorType::Rgb, BitDepth::Sixteen, &wide(&colors));
+        assert_eq!(seen(&file), found);
+        let clear: Vec<u16> = values.iter().flat_map(|&value| [value, 0]).collect();
+        let file = encoded(
+            2,
+            2,
+            ColorType::GrayscaleAlpha,
+            BitDepth::Sixteen,
+            &wide(&clear),
+        );
+        assert_eq!(seen(&file), [255; 4]);
+        let pixels = image::ImageBuffer::<image::Luma<u16>, _>::from_vec(2, 2, values.to_vec());
+        let mut tiff = Cursor::new(Vec::new());
+        image::DynamicImage::from(pixels.unwrap())
+            .write_to(&mut tiff, Tiff)
+            .unwrap();
+        assert_eq!(seen(&tiff.into_inner()), found);
+    }
+    // Values in the upper half are as bright as they say, and black stays black.
+    let dark = wide(&[0, 0x4000, 0x7fff, 0]);
+    let file = encoded(2, 2, ColorType::Grayscale, BitDepth::Sixteen, &dark);
+    assert_eq!(seen(&file), [0, 64, 127, 0]);
+    let black = encoded(1, 1, ColorType::Grayscale, BitDepth::Sixteen, &[0, 0]);
+    assert_eq!(seen(&black), [0]);
+}
+
+#[test]
 fn every_kind_of_jpeg_is_read() {
     let near = |file: &[u8], wanted: u8| {
         let seen = seen(file);
@@ -720,18 +771,62 @@ proptest! {
             }
         }
     }
+}
 
+/// A small picture in each format.
+fn of_each_format() -> Vec<Vec<u8>> {
+    let picture = image::DynamicImage::from(image::RgbImage::from_fn(24, 16, |x, y| {
+        let [x, y] = [x, y].map(|place| u8::try_from(place).unwrap());
+        image::Rgb([9 * x, 13 * y, 60])
+    }));
+    let others = [Gif, Bmp, Tiff, WebP].map(|format| {
+        let mut file = Cursor::new(Vec::new());
+        picture.write_to(&mut file, format).unwrap();
+        file.into_inner()
+    });
+    let png = grey(24, 16, |x, y| x * y / 400.0);
+    let jpeg = jpeg(24, 16, JpegColor::Luma, &[99; 384]);
+    [png, jpeg].into_iter().chain(others).collect()
+}
+
+#[test]
+fn a_picture_with_any_byte_of_its_header_damaged_is_read_or_refused() {
+    for file in of_each_format() {
+        // TIFF and WebP have sizes at their ends, too.
+        let end = file.len();
+        let places = (0..end.min(160)).chain(end.saturating_sub(200)..end);
+        for place in places {
+            for value in [0, 1, 0x7f, 0xff] {
+                let mut damaged = file.clone();
+                damaged[place] = value;
+                if let Ok((header, grey)) = pixels(&damaged, 255) {
+                    assert_eq!(grey.len(), header.width * header.height);
+                    assert!(!grey.is_empty());
+                }
+            }
+        }
+    }
+}
+
+proptest! {
     #[test]
     fn a_damaged_file_gives_an_error_or_a_picture(
-        place in 0..100_000_usize, value in any::<u8>(), is_jpeg in any::<bool>(),
+        format in 0..6_usize,
+        damage in prop::collection::vec((0..100_000_usize, any::<u8>()), 1..6),
+        kept in 0.0..1.2_f64,
     ) {
-        let mut file = if is_jpeg {
-            jpeg(24, 16, JpegColor::Luma, &[99; 384])
-        } else {
-            grey(24, 16, |x, y| x * y / 400.0)
-        };
-        let place = place % file.len();
-        file[place] = value;
+        let mut file = of_each_format().swap_remove(format);
+        for (place, value) in damage {
+            let place = place % file.len();
+            file[place] = value;
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            clippy::cast_precision_loss,
+            reason = "a share of a short file"
+        )]
+        file.truncate((kept * file.len() as f64) as usize);
         // It only has to return.
         let _outcome = read(&file, &ReadOptions::default());
     }

@@ -82,6 +82,82 @@ fn each_reader_of_moves_without_ink_can_be_cancelled() {
 }
 
 #[test]
+fn each_step_of_reading_an_svg_file_can_be_cancelled() {
+    let svg = |before: &str, content: &str| {
+        format!(
+            r#"{before}<svg xmlns="http://www.w3.org/2000/svg" width="99mm" height="99mm">{content}<path d="M0 0V9" stroke="red"/></svg>"#
+        )
+    };
+    let rules = repeated(|i| format!(".a{i}{{fill:red}}"));
+    let inner = repeated(|i| format!("<path d='M{i} 0V9' stroke='red'/>"));
+    let inner = svg("", &inner).replace('"', "'").replace('<', "%3C");
+    let inner = inner.replace('>', "%3E");
+    let defaults = r#"<!DOCTYPE svg [<!ATTLIST a b CDATA "c">]>"#;
+    for (name, text) in [
+        ("rules", svg("", &format!("<style>{rules}</style>"))),
+        ("elements", svg("", &repeated(|_| "<g/>".to_owned()))),
+        ("defaults", svg(defaults, &repeated(|_| "<g/>".to_owned()))),
+        (
+            "image",
+            svg(
+                "",
+                &format!(r#"<image width="9" height="9" href="data:image/svg+xml,{inner}"/>"#),
+            ),
+        ),
+        (
+            "tiles",
+            svg(
+                "",
+                r#"<pattern id="p" width="1" height="1" patternUnits="userSpaceOnUse"><g id="a"><path d="M9 9h1" stroke="red"/></g></pattern><rect width="30" height="30" fill="url(#p)"/>"#,
+            ),
+        ),
+        ("white shapes", svg("", &repeated(white_on_dark))),
+    ] {
+        let source = Source::of_file("a.svg", text.into_bytes()).unwrap();
+        check(name, &source, &ReadOptions::default());
+    }
+}
+
+/// A white shape that hides a part of a black one.
+fn white_on_dark(at: u32) -> String {
+    format!(
+        r#"<rect width="9" height="9" y="{at}"/><rect width="5" height="20" y="{at}" fill="white"/>"#
+    )
+}
+
+/// A cancelled search for what is under white shapes is not an exhausted one.
+#[test]
+fn reading_an_svg_file_is_cancelled_at_any_check() {
+    let mut shapes = String::new();
+    for i in 0..9 {
+        shapes += &white_on_dark(i);
+    }
+    let text = format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="99mm" height="99mm"><style>rect {{ stroke: none }}</style>{shapes}</svg>"#
+    );
+    let source = Source::from(text.as_str());
+    let read = |cancel: &CancelToken| {
+        let cancel = cancel.clone();
+        source.read(&ReadOptions {
+            cancel,
+            ..ReadOptions::default()
+        })
+    };
+    let whole = read(&CancelToken::default()).unwrap();
+    for count in 0..1_000_000 {
+        match read(&CancelToken::after_checks(count)) {
+            Err(error) => assert!(error.is_cancelled(), "{count}: {error}"),
+            Ok(drawn) => {
+                assert!(count > CHECKS, "{count}");
+                assert_eq!(drawn, whole, "{count}");
+                return;
+            }
+        }
+    }
+    panic!("never read");
+}
+
+#[test]
 fn each_shading_of_a_picture_can_be_cancelled() {
     let pixels: Vec<u8> = (0..200_u8)
         .flat_map(|y| (0..200_u8).map(move |x| x ^ y))

@@ -1,107 +1,175 @@
-//! Strict checks of values: what a lenient reader would skip or truncate silently is an error.
+//! Checks of values: what the library would skip or truncate silently is reported.
 
 use std::str::FromStr;
 
-use svgtypes::{Length, NumberListParser, PathParser, PathSegment, Transform, ViewBox};
+use dobot_geometry::{CancelToken, Cancelled};
+use svgtypes::{
+    Length, NumberListParser, PathParser, PathSegment, SimplifyingPathParser, Transform, ViewBox,
+};
 use usvg::roxmltree::{Attribute, Document, Node};
 
+use super::edits::Edit;
+use super::handles::words;
 use crate::error::SvgError;
-use crate::limits::{Budget, MAX_NUMBER, OverBudget};
+use crate::limits::{Budget, MAX_NUMBER};
+use crate::place::printable;
+use crate::warning::{Warning, WarningKind};
 
-/// Checks every path, point list, length, transform and viewBox of the document, and returns the
-/// number of line segments of each node, by its number in the document.
-pub(crate) fn check(doc: &Document<'_>, budget: &mut Budget) -> Result<Vec<u64>, SvgError> {
-    // One for each node, indexed by its number.
+/// Invalid values of attributes: how to rewrite them, and a warning for each kind.
+#[derive(Debug, Default)]
+pub(super) struct Damage {
+    pub(super) edits: Vec<Edit>,
+    pub(super) warnings: Vec<Warning>,
+    /// The kind of value of each warning.
+    kinds: Vec<&'static str>,
+}
+
+impl Damage {
+    /// Checks every path, point list, length, transform and viewBox of the document. Like a browser,
+    /// a shape is drawn up to the error, and other invalid values are ignored (SVG 1.1, F.2).
+    pub(super) fn of(doc: &Document<'_>, cancel: &CancelToken) -> Result<Self, Cancelled> {
+        let mut damage = Self::default();
+        for node in doc.descendants().filter(Node::is_element) {
+            cancel.check()?;
+            for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
+                // Those of the page have a warning of their own.
+                let is_page_size =
+                    node == doc.root_element() && matches!(attribute.name(), "width" | "height");
+                if is_page_size {
+                    continue;
+                }
+                if let Err(problem) = check_value(node, attribute.name(), attribute.value()) {
+                    damage.add(doc, node, &attribute, &problem);
+                }
+            }
+        }
+        Ok(damage)
+    }
+
+    fn add(
+        &mut self,
+        doc: &Document<'_>,
+        node: Node<'_, '_>,
+        attribute: &Attribute<'_, '_>,
+        problem: &ValueProblem,
+    ) {
+        self.edits.push(match valid_part(node, attribute) {
+            Some(words) => Edit {
+                range: attribute.range_value(),
+                words,
+            },
+            None => Edit {
+                range: attribute.range(),
+                words: String::new(),
+            },
+        });
+        if let Some(known) = self.kinds.iter().position(|kind| *kind == problem.kind) {
+            self.warnings[known].count += 1;
+            return;
+        }
+        self.kinds.push(problem.kind);
+        self.warnings.push(warning(doc, node, attribute, problem));
+    }
+}
+
+/// The valid start of a path or a list of points; `None` for other values.
+fn valid_part(node: Node<'_, '_>, attribute: &Attribute<'_, '_>) -> Option<String> {
+    let value = attribute.value();
+    match attribute.name() {
+        "d" if node.tag_name().name() == "path" => Some(valid_path(value)),
+        "points" => {
+            let numbers = NumberListParser::from(value).map_while(Result::ok);
+            let numbers = numbers.take_while(|number| is_small(*number));
+            let numbers: Vec<String> = numbers.map(|number| number.to_string()).collect();
+            Some(numbers.join(" "))
+        }
+        _ => None,
+    }
+}
+
+/// Path data up to its first error.
+pub(super) fn valid_path(value: &str) -> String {
+    let segments = SimplifyingPathParser::from(value).map_while(Result::ok);
+    segments.map_while(|segment| words(&segment)).collect()
+}
+
+/// Counts the line segments of all shapes, by the number of their node in the document.
+pub(super) fn segments(doc: &Document<'_>, budget: &mut Budget) -> Result<Vec<u64>, SvgError> {
     let mut segments = vec![0; doc.descendants().count()];
     for node in doc.descendants().filter(Node::is_element) {
-        for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
-            match check_value(node, attribute.name(), attribute.value(), budget) {
-                Ok(0) => {}
-                Ok(count) => segments[node.id().get_usize()] = count as u64,
-                Err(Refused::Value(problem)) => {
-                    return Err(bad_value(doc, node, &attribute, &problem));
-                }
-                Err(Refused::Over(over)) => return Err(over.into()),
+        let count = &mut segments[node.id().get_usize()];
+        if let ("path", Some(path)) = (node.tag_name().name(), node.attribute("d")) {
+            // One by one: a path may have millions of them.
+            for segment in PathParser::from(path).map_while(Result::ok) {
+                budget.spend(weight(segment))?;
+                *count += weight(segment) as u64;
             }
+        } else if let Some(points) = node.attribute("points") {
+            let points = NumberListParser::from(points).map_while(Result::ok).count() / 2;
+            budget.spend(points)?;
+            *count += points as u64;
         }
     }
     Ok(segments)
 }
 
-/// The reason why a value is invalid.
-enum Refused {
-    Value(ValueProblem),
-    /// It has more segments than a drawing may have.
-    Over(OverBudget),
-}
-
-impl From<ValueProblem> for Refused {
-    fn from(problem: ValueProblem) -> Self {
-        Self::Value(problem)
-    }
-}
-
-impl From<OverBudget> for Refused {
-    fn from(over: OverBudget) -> Self {
-        Self::Over(over)
-    }
-}
-
 struct ValueProblem {
+    /// The kind of value.
+    kind: &'static str,
     /// The position in the value, in bytes.
     at: usize,
     expected: &'static str,
 }
 
-fn check_value(
-    node: Node<'_, '_>,
-    name: &str,
-    value: &str,
-    budget: &mut Budget,
-) -> Result<usize, Refused> {
-    let whole = |ok: bool, expected| {
-        let problem = ValueProblem { at: 0, expected };
-        ok.then_some(0).ok_or(Refused::Value(problem))
+fn check_value(node: Node<'_, '_>, name: &str, value: &str) -> Result<(), ValueProblem> {
+    let whole = |is_valid: bool, kind, expected| {
+        let problem = ValueProblem {
+            kind,
+            at: 0,
+            expected,
+        };
+        is_valid.then_some(()).ok_or(problem)
     };
     match name {
-        "d" if node.tag_name().name() == "path" => check_path(value, budget),
-        "points" => check_points(value, budget),
+        "d" if node.tag_name().name() == "path" => check_path(value),
+        "points" => check_points(value),
         "transform" | "gradientTransform" | "patternTransform" => whole(
             Transform::from_str(value).is_ok_and(is_sane) || value.trim() == "none",
+            "invalid transform",
             "a transform such as translate(10 20) or rotate(45)",
         ),
         "viewBox" => whole(
             ViewBox::from_str(value).is_ok_and(|v| [v.x, v.y, v.w, v.h].into_iter().all(is_small)),
+            "invalid viewBox",
             "four numbers: x, y, width and height above 0",
         ),
         _ if is_length(node.tag_name().name(), name) => whole(
-            value.trim() == "auto" || Length::from_str(value).is_ok_and(|l| is_small(l.number)),
+            value.trim() == "auto"
+                || Length::from_str(value.trim()).is_ok_and(|l| is_small(l.number)),
+            "invalid length",
             "a length such as 12, 12mm or 50%",
         ),
-        _ => Ok(0),
+        _ => Ok(()),
     }
 }
 
-fn check_path(value: &str, budget: &mut Budget) -> Result<usize, Refused> {
-    let expected = "path data: commands MLHVCSQTAZ and finite numbers";
+fn check_path(value: &str) -> Result<(), ValueProblem> {
     if value.trim() == "none" {
-        return Ok(0);
+        return Ok(());
     }
-    let mut count = 0;
+    let problem = |at, expected| ValueProblem {
+        kind: "invalid path",
+        at,
+        expected,
+    };
     for segment in PathParser::from(value) {
-        let segment = segment.map_err(|error| ValueProblem {
-            at: position(&error, value),
-            expected,
-        })?;
+        let expected = "path data: commands MLHVCSQTAZ and finite numbers";
+        let segment = segment.map_err(|error| problem(position(&error, value), expected))?;
         if !numbers(segment).into_iter().all(is_small) {
-            let expected = "coordinates of at most 1e9";
-            return Err(ValueProblem { at: 0, expected }.into());
+            return Err(problem(0, "coordinates of at most 1e9"));
         }
-        // One by one: a path may have millions of them.
-        budget.spend(weight(segment))?;
-        count += weight(segment);
     }
-    Ok(count)
+    Ok(())
 }
 
 /// The number of lines of a segment: a curve becomes several, and takes as much memory before that.
@@ -116,22 +184,20 @@ const fn weight(segment: PathSegment) -> usize {
     }
 }
 
-fn check_points(value: &str, budget: &mut Budget) -> Result<usize, Refused> {
-    let mut count = 0;
+fn check_points(value: &str) -> Result<(), ValueProblem> {
+    let problem = |at, expected| ValueProblem {
+        kind: "invalid point list",
+        at,
+        expected,
+    };
     for number in NumberListParser::from(value) {
-        let number = number.map_err(|error| ValueProblem {
-            at: position(&error, value),
-            expected: "a list of finite numbers",
-        })?;
+        let number =
+            number.map_err(|error| problem(position(&error, value), "a list of finite numbers"))?;
         if !is_small(number) {
-            let expected = "coordinates of at most 1e9";
-            return Err(ValueProblem { at: 0, expected }.into());
+            return Err(problem(0, "coordinates of at most 1e9"));
         }
-        budget.spend(count % 2)?;
-        count += 1;
     }
-    // The last point may lack its y, which is a warning; it is drawn up to the point before.
-    Ok(count / 2)
+    Ok(())
 }
 
 fn numbers(segment: PathSegment) -> [f64; 6] {
@@ -204,12 +270,12 @@ fn position(error: &svgtypes::Error, value: &str) -> usize {
     character.map_or(value.len(), |(byte, _)| byte)
 }
 
-fn bad_value(
+fn warning(
     doc: &Document<'_>,
     node: Node<'_, '_>,
     attribute: &Attribute<'_, '_>,
     problem: &ValueProblem,
-) -> SvgError {
+) -> Warning {
     let value = attribute.value();
     let range = attribute.range_value();
     // After replaced entities, the value no longer matches the file.
@@ -218,12 +284,23 @@ fn bad_value(
     } else {
         0
     };
-    SvgError::BadValue {
-        place: doc.text_pos_at(range.start + offset).into(),
-        attribute: attribute.name().to_owned(),
-        element: node.tag_name().name().to_owned(),
-        found: found(value, problem.at),
-        expected: problem.expected,
+    let what = format!(
+        "{}: {} of <{}> {}; expected {}",
+        problem.kind,
+        printable(attribute.name()),
+        printable(node.tag_name().name()),
+        found(value, problem.at),
+        problem.expected
+    );
+    let instead = if valid_part(node, attribute).is_some() {
+        "drawn up to there"
+    } else {
+        "ignored"
+    };
+    Warning {
+        kind: WarningKind::Mistake,
+        place: Some(doc.text_pos_at(range.start + offset).into()),
+        ..Warning::new(&what, instead, 1)
     }
 }
 

@@ -1,319 +1,468 @@
-//! Rewriting of CSS values that are newer than the library.
+//! Styles (CSS) as a browser applies them on a light screen: the value of each property on each
+//! element.
 //!
-//! ```text
-//!   stroke: light-dark(black, white)        stroke: black
-//!   fill: var(--sea, blue)                  fill: blue
-//!   fill: oklch(0.63 0.26 29)               fill: #ff0000
-//!   font: bold 1rem/1.5 serif               font: bold 16px serif
-//! ```
+//! The libraries `cssparser` and `selectors` read sheets and match elements. `lightningcss` does
+//! not match elements, and takes much longer to build.
+
+mod color;
+mod declaration;
+mod family;
+mod length;
+mod media;
+mod property;
+mod selector;
+mod sheet;
+mod value;
+mod variables;
 
 use std::borrow::Cow;
 use std::cell::Cell;
-use std::collections::HashMap;
-use std::ops::Range;
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
 
-/// The values of custom properties, by name (`--sea`). Of several values the first counts: the
-/// others are for a dark screen, or for another part of the page.
+use cssparser::Parser;
+use dobot_geometry::CancelToken;
+use selectors::context::{
+    MatchingContext, MatchingForInvalidation, MatchingMode, NeedsSelectorFlags, QuirksMode,
+    SelectorCaches,
+};
+use selectors::matching::matches_selector;
+use selectors::parser::{Component, Selector};
+use usvg::roxmltree::{Document, Node};
+
+use self::declaration::{Content, Declaration, declarations, longhands, values};
+use self::property::Property;
+use self::selector::{SvgElement, SvgSelectors, classes};
+use self::sheet::Sheets;
+use self::variables::{BytesLeft, Variables, replaced};
+use crate::error::SvgError;
+
+/// The values of the properties of all elements.
+#[derive(Debug, Default)]
+pub(super) struct Styles<'a> {
+    /// Those that styles set, by node number: name and value.
+    set: Vec<Vec<(&'static str, Cow<'a, str>)>>,
+    /// The ignored rules.
+    pub(super) ignored_rules: Found,
+    /// The ignored values.
+    pub(super) ignored_values: Found,
+    /// The style sheets in other files.
+    pub(super) external: Found,
+}
+
+/// A number of occurrences in a file, and the position of the first, in bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Found {
+    pub(super) count: usize,
+    pub(super) first: Option<usize>,
+}
+
+impl Found {
+    pub(super) fn add(&mut self, count: usize, at: usize) {
+        self.count += count;
+        if count > 0 {
+            self.first = Some(self.first.map_or(at, |first| first.min(at)));
+        }
+    }
+
+    pub(super) fn plus(mut self, other: Self) -> Self {
+        self.add(other.count, other.first.unwrap_or_default());
+        self
+    }
+}
+
+/// The text of a style sheet, and its position in the file, in bytes.
 #[derive(Debug)]
-pub(super) struct Variables<'a> {
-    values: HashMap<&'a str, &'a str>,
-    /// The number of bytes in function arguments that may still be processed.
-    left: Cell<usize>,
+pub(super) struct SheetText {
+    at: usize,
+    css: String,
 }
 
-impl<'a> Variables<'a> {
-    pub(super) fn new() -> Self {
+/// The texts of all sheets that apply to a light screen.
+pub(super) fn sheet_texts(doc: &Document<'_>) -> Vec<SheetText> {
+    let applies = |sheet: &Node<'_, '_>| {
+        let kind = sheet.attribute("type").unwrap_or_default().trim();
+        let media = sheet.attribute("media").unwrap_or_default();
+        let is_css = kind.is_empty() || kind.eq_ignore_ascii_case("text/css");
+        is_css && media::is_shown(&mut Parser::new(media))
+    };
+    let text = |sheet: Node<'_, '_>| {
+        let texts = sheet.children().filter_map(|child| child.text());
+        SheetText {
+            at: sheet.range().start,
+            css: texts.collect(),
+        }
+    };
+    sheets(doc).filter(applies).map(text).collect()
+}
+
+/// All sheets of a document.
+pub(super) fn sheets<'a, 'input>(
+    doc: &'a Document<'input>,
+) -> impl Iterator<Item = Node<'a, 'input>> {
+    let all = doc.descendants();
+    all.filter(|item| item.is_element() && item.tag_name().name() == "style")
+}
+
+impl<'a> Styles<'a> {
+    /// Computes the values of all elements.
+    pub(super) fn of(
+        doc: &'a Document<'_>,
+        texts: &'a [SheetText],
+        cancel: &CancelToken,
+    ) -> Result<Self, SvgError> {
+        let mut sheets = Sheets::new(cancel);
+        for text in texts {
+            sheets.add(text.at, &text.css)?;
+        }
+        let cascade = Cascade::new(doc, &sheets, cancel);
+        let mut styles = Self {
+            set: vec![Vec::new(); doc.descendants().count()],
+            ignored_rules: sheets.ignored_rules,
+            ignored_values: sheets.ignored_values,
+            external: sheets.external,
+        };
+        let mut caches = SelectorCaches::default();
+        let mut variables: HashMap<usize, Rc<Variables<'a>>> = HashMap::new();
+        for node in doc.descendants().filter(Node::is_element) {
+            cancel.check()?;
+            let number = node.id().get_usize();
+            let own = node.attribute("style").unwrap_or_default();
+            let (own, ignored) = declarations(own);
+            let place = node
+                .attribute_node("style")
+                .map(|style| style.range().start);
+            styles
+                .ignored_values
+                .add(ignored, place.unwrap_or_default());
+            let attributes = attributes_with_variables(node);
+            let declared = cascade.declared(node, &attributes, &own, &mut caches);
+            let outer = node.parent().map(|parent| parent.id().get_usize());
+            let outer = outer.and_then(|outer| variables.get(&outer)).cloned();
+            let known = known_variables(outer, &declared);
+            styles.set[number] = cascade.values(node, &declared, known.as_deref());
+            if let Some(known) = known {
+                variables.insert(number, known);
+            }
+        }
+        cancel.check()?;
+        if cascade.steps_left.get() == 0 {
+            return Err(SvgError::LongStyles);
+        }
+        Ok(styles)
+    }
+
+    /// The values that styles set on an element, by name.
+    pub(super) fn set(&self, node: Node<'_, '_>) -> &[(&'static str, Cow<'a, str>)] {
+        &self.set[node.id().get_usize()]
+    }
+
+    /// The value that a style sets.
+    pub(super) fn value(&self, node: Node<'_, '_>, name: &str) -> Option<&str> {
+        let values = self.set.get(node.id().get_usize())?;
+        let found = values.iter().find(|value| value.0 == name)?;
+        Some(&found.1)
+    }
+
+    /// The value of a property by the styles, or else by its attribute.
+    pub(super) fn property<'n: 's, 's>(
+        &'s self,
+        node: Node<'n, '_>,
+        name: &str,
+    ) -> Option<&'s str> {
+        self.value(node, name)
+            .or_else(|| node.attribute(name))
+            .map(str::trim)
+    }
+
+    /// The value of a property on each element, by node number: its own, or else the inherited one.
+    pub(super) fn inherited<'s>(
+        &'s self,
+        doc: &'s Document<'_>,
+        name: &str,
+    ) -> Vec<Option<&'s str>> {
+        let mut values = vec![None; doc.descendants().count()];
+        for node in doc.descendants().filter(Node::is_element) {
+            let own = self
+                .property(node, name)
+                .filter(|value| *value != "inherit");
+            let outer = node
+                .parent()
+                .and_then(|parent| values[parent.id().get_usize()]);
+            values[node.id().get_usize()] = own.or(outer);
+        }
+        values
+    }
+}
+
+/// The value of an attribute in the words of the library, if it is a property written in those of
+/// CSS; `Err` if a browser ignores it.
+pub(super) fn presentation<'v>(name: &str, value: &'v str) -> Result<Cow<'v, str>, ()> {
+    match Property::of(name).filter(|property| property.name == name && property.is_presentation())
+    {
+        Some(property) if !variables::has_variables(value) => property.value(value).ok_or(()),
+        _ => Ok(Cow::Borrowed(value)),
+    }
+}
+
+/// The attributes of an element with custom properties in their values.
+fn attributes_with_variables<'a>(node: Node<'a, '_>) -> Vec<Declaration<'a>> {
+    let attributes = node.attributes().filter(|attribute| {
+        let property = Property::of(attribute.name());
+        property.is_some_and(Property::is_presentation)
+            && variables::has_variables(attribute.value())
+    });
+    let pending = attributes.map(|attribute| Declaration {
+        content: Content::Pending {
+            name: attribute.name().to_owned(),
+            value: attribute.value(),
+        },
+        is_important: false,
+    });
+    pending.collect()
+}
+
+/// A declaration that applies to an element, with its precedence.
+type Applied<'d, 'a> = (Precedence, &'d Declaration<'a>);
+
+/// What decides between declarations: importance, the style of the element itself, the layer, the
+/// specificity of the selector, and the order.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Precedence {
+    is_important: bool,
+    is_own: bool,
+    layer: LayerRank,
+    specificity: u32,
+    order: usize,
+}
+
+/// The rank of a layer, which is the other way round for important declarations.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum LayerRank {
+    Usual(Rc<[usize]>),
+    Important(Reverse<Rc<[usize]>>),
+}
+
+/// The rules of all sheets, found by what they select.
+struct Cascade<'s, 'a> {
+    selectors: Vec<(&'s Selector<SvgSelectors>, usize)>,
+    /// The numbers of the selectors for an id, a class or a name of elements; `None` for any.
+    by_key: HashMap<Option<Key<'s>>, Vec<usize>>,
+    sheets: &'s Sheets<'a>,
+    ranks: Vec<Rc<[usize]>>,
+    cancel: &'s CancelToken,
+    steps_left: Cell<u64>,
+    bytes_left: BytesLeft,
+    identities: Vec<u8>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Key<'s> {
+    Id(&'s str),
+    Class(&'s str),
+    Element(&'s str),
+}
+
+impl<'s, 'a> Cascade<'s, 'a> {
+    fn new(doc: &Document<'_>, sheets: &'s Sheets<'a>, cancel: &'s CancelToken) -> Self {
+        let mut selectors = Vec::new();
+        let mut by_key: HashMap<_, Vec<usize>> = HashMap::new();
+        for (number, rule) in sheets.rules.iter().enumerate() {
+            for selector in rule.selectors.slice() {
+                by_key
+                    .entry(key(selector))
+                    .or_default()
+                    .push(selectors.len());
+                selectors.push((selector, number));
+            }
+        }
         Self {
-            values: HashMap::new(),
-            left: Cell::new(MAX_BYTES),
+            selectors,
+            by_key,
+            sheets,
+            ranks: sheets
+                .rules
+                .iter()
+                .map(|rule| sheets.rank(rule).into())
+                .collect(),
+            cancel,
+            steps_left: Cell::new(MAX_STEPS),
+            bytes_left: BytesLeft::default(),
+            identities: vec![0; doc.descendants().count()],
         }
     }
 
-    /// Collects those of a sheet, or of the style of an element.
-    pub(super) fn read(&mut self, css: &'a str) {
-        for Custom { name, value, .. } in custom(css) {
-            self.values.entry(name).or_insert(value);
-        }
-    }
-
-    /// Rewrites a value, or the declarations of a style, for the library.
-    pub(super) fn readable<'t>(&self, css: &'t str) -> Cow<'t, str> {
-        let css = if css.contains('(') {
-            self.without_functions(css, 0)
-        } else {
-            Cow::Borrowed(css)
+    /// The declarations that apply to an element, the weakest first.
+    fn declared<'d>(
+        &'d self,
+        node: Node<'_, '_>,
+        attributes: &'d [Declaration<'a>],
+        own: &'d [Declaration<'a>],
+        caches: &mut SelectorCaches,
+    ) -> Vec<Applied<'d, 'a>> {
+        let weakest: Rc<[usize]> = Rc::new([]);
+        let weakest = |declaration| {
+            (
+                precedence(declaration, Rc::clone(&weakest), 0, 0),
+                declaration,
+            )
         };
-        let css = replaced(css, without_custom);
-        let css = replaced(css, rem_to_px);
-        let css = replaced(css, with_quoted_families);
-        replaced(css, |text| {
-            text.contains("font").then(|| without_line_heights(text))
-        })
+        let mut declared: Vec<Applied<'d, 'a>> = attributes.iter().map(weakest).collect();
+        for (specificity, rule) in self.matching(node, caches) {
+            for declaration in &*self.sheets.rules[rule].declarations {
+                let rank = Rc::clone(&self.ranks[rule]);
+                declared.push((
+                    precedence(declaration, rank, specificity, rule),
+                    declaration,
+                ));
+            }
+        }
+        let outside: Rc<[usize]> = Rc::new([usize::MAX]);
+        for (order, declaration) in own.iter().enumerate() {
+            let precedence = Precedence {
+                is_own: true,
+                ..precedence(declaration, Rc::clone(&outside), 0, order)
+            };
+            declared.push((precedence, declaration));
+        }
+        // Declarations of a rule keep their order.
+        declared.sort_by(|a, b| a.0.cmp(&b.0));
+        declared
     }
 
-    /// Replaces functions by their values.
-    fn without_functions<'t>(&self, css: &'t str, depth: u32) -> Cow<'t, str> {
-        let (mut whole, mut done, mut at) = (String::new(), 0, 0);
-        while let Some(open) = css[at..].find('(').map(|offset| at + offset) {
-            let head = &css[at..open];
-            let begin = open - head.len() + head.trim_end_matches(is_of_name).len();
-            at = open + 1;
-            if let Some((value, end)) = self.value(&css[begin..open], &css[open..], depth) {
-                whole += &css[done..begin];
-                whole += &value;
-                at = open + end;
-                done = at;
-            }
+    /// The rules that select an element, with the specificity of the selector.
+    fn matching(&self, node: Node<'_, '_>, caches: &mut SelectorCaches) -> Vec<(u32, usize)> {
+        if self.selectors.is_empty() {
+            return Vec::new();
         }
-        if done == 0 {
-            return Cow::Borrowed(css);
-        }
-        Cow::Owned(whole + &css[done..])
-    }
-
-    /// The value of a function unknown to the library, at the start of a text after its name, if
-    /// its brackets are closed.
-    fn value(&self, name: &str, text: &str, depth: u32) -> Option<(String, usize)> {
-        if depth == MAX_DEPTH || !FUNCTIONS.contains(&name) {
-            return None;
-        }
-        let end = closed(text, ['(', ')']);
-        self.left.set(self.left.get().checked_sub(end)?);
-        let inner = &text[1..end];
-        let arguments = inner.strip_suffix(')').unwrap_or(inner);
-        let (first, others) = arguments.split_at(comma(arguments));
-        let other = others.strip_prefix(',');
-        let deeper = |css: &str| self.without_functions(css.trim(), depth + 1).into_owned();
-        let value = match name {
-            "var" => {
-                let value = self.values.get(first.trim()).copied().or(other);
-                value.map_or_else(|| "inherit".to_owned(), deeper)
-            }
-            "light-dark" => deeper(first),
-            "color-mix" => {
-                let other = other?;
-                let mixed = deeper(&other[..comma(other)]);
-                // The alpha value.
-                let share = mixed.rfind(' ').filter(|_| mixed.ends_with('%'));
-                share.map_or(mixed.clone(), |share| mixed[..share].to_owned())
-            }
-            "color" => {
-                let (_, channels) = arguments.trim().split_once(' ')?;
-                hex(&format!("rgb({})", percent(channels)))?
-            }
-            _ if first.len() < arguments.len() && !arguments.contains('(') => return None,
-            _ => hex(&format!("{name}({})", deeper(arguments)))?,
+        let keys = [
+            node.attribute("id").map(Key::Id),
+            Some(Key::Element(node.tag_name().name())),
+        ];
+        let keys = keys
+            .into_iter()
+            .flatten()
+            .chain(classes(node).map(Key::Class));
+        let keys = keys.map(Some).chain([None]);
+        let element = SvgElement {
+            node,
+            cancel: self.cancel,
+            steps_left: &self.steps_left,
+            identities: &self.identities,
         };
-        self.left.set(self.left.get().checked_sub(value.len())?);
-        Some((value, end))
+        let mut matching = Vec::new();
+        for number in keys.filter_map(|key| self.by_key.get(&key)).flatten() {
+            let left = element.spend_step().unwrap_or_default();
+            let (selector, rule) = self.selectors[*number];
+            let mut context = MatchingContext::new(
+                MatchingMode::Normal,
+                None,
+                caches,
+                QuirksMode::NoQuirks,
+                NeedsSelectorFlags::No,
+                MatchingForInvalidation::No,
+            );
+            if left > 0 && matches_selector(selector, 0, None, element, &mut context) {
+                matching.push((selector.specificity(), rule));
+            }
+        }
+        matching
     }
-}
 
-/// The declarations of a custom property.
-struct Custom<'a> {
-    name: &'a str,
-    value: &'a str,
-    range: Range<usize>,
-}
-
-fn custom(css: &str) -> impl Iterator<Item = Custom<'_>> {
-    let mut done = 0;
-    std::iter::from_fn(move || {
-        while let Some(at) = css[done..].find("--").map(|at| done + at) {
-            let rest = &css[at..];
-            let name = &rest[..name_end(rest)];
-            let before = css[done..at].trim_end().chars().next_back();
-            let begins = before.is_none_or(|before| ";{}/".contains(before));
-            done = at + name.len();
-            let value = rest[name.len()..].trim_start().strip_prefix(':');
-            if let (true, Some(value)) = (begins, value) {
-                let end = value.find([';', '}']).unwrap_or(value.len());
-                done = css.len() - value.len() + end;
-                if value[end..].starts_with(';') {
-                    done += 1;
+    /// The values that win, by name.
+    fn values(
+        &self,
+        node: Node<'_, '_>,
+        declared: &[Applied<'_, 'a>],
+        variables: Option<&Variables<'a>>,
+    ) -> Vec<(&'static str, Cow<'a, str>)> {
+        let none = Variables::new();
+        let mut winners: BTreeMap<&'static str, Cow<'a, str>> = BTreeMap::new();
+        let element = node.tag_name().name();
+        for (_, declaration) in declared {
+            match &declaration.content {
+                Content::Value(property, value) if property.is_of(element) => {
+                    winners.insert(property.name, value.clone());
                 }
-                return Some(Custom {
-                    name,
-                    value: value[..end].trim(),
-                    range: at..done,
-                });
+                Content::Value(..) | Content::Custom { .. } => {}
+                Content::Pending { name, value } => {
+                    let known = variables.unwrap_or(&none);
+                    let text = replaced(value, known, &self.bytes_left);
+                    let found = text.as_deref().and_then(|text| values(name, text));
+                    let found = found.unwrap_or_else(|| unset(name));
+                    let found = found.into_iter().filter(|value| value.0.is_of(element));
+                    winners.extend(
+                        found.map(|(property, value)| {
+                            (property.name, Cow::Owned(value.into_owned()))
+                        }),
+                    );
+                }
             }
         }
-        None
-    })
-}
-
-/// Removes the custom properties, which would make the library drop the declarations beside them.
-fn without_custom(css: &str) -> Option<String> {
-    let (mut whole, mut done) = (String::new(), 0);
-    for Custom { range, .. } in custom(css) {
-        whole += &css[done..range.start];
-        done = range.end;
+        winners.into_iter().collect()
     }
-    (done > 0).then(|| whole + &css[done..])
 }
 
-/// The end of the bracketed text at the start, after the closing bracket.
-pub(super) fn closed(text: &str, [open, close]: [char; 2]) -> usize {
-    let mut depth = 0_usize;
-    for (at, sign) in text.char_indices() {
-        if sign == open {
-            depth += 1;
-        } else if sign == close {
-            depth -= 1;
-            if depth == 0 {
-                return at + 1;
-            }
-        }
-    }
-    text.len()
-}
-
-/// The end of the first argument.
-fn comma(arguments: &str) -> usize {
-    let mut depth = 0_i32;
-    let is_end = |sign: char| {
-        depth += i32::from(sign == '(') - i32::from(sign == ')');
-        sign == ',' && depth == 0
-    };
-    arguments.find(is_end).unwrap_or(arguments.len())
-}
-
-/// Converts channels from 0 to 1 to percent, as in `rgb`.
-fn percent(channels: &str) -> String {
-    let (colors, alpha) = channels.split_once('/').unwrap_or((channels, "1"));
-    let colors = colors
-        .split_whitespace()
-        .map(|word| match word.parse::<f64>() {
-            Ok(share) => format!("{}%", 100.0 * share),
-            Err(_) => word.to_owned(),
-        });
-    let colors: Vec<String> = colors.collect();
-    format!("{} / {alpha}", colors.join(" "))
-}
-
-/// The hexadecimal digits of a colour.
-fn hex(color: &str) -> Option<String> {
-    let color = csscolorparser::parse(color).ok()?;
-    Some(color.to_css_hex().to_string())
-}
-
-/// Converts lengths in the font size of the page, which is 16 px.
-fn rem_to_px(css: &str) -> Option<String> {
-    let mut whole = String::new();
-    let mut done = 0;
-    for (at, unit) in css.match_indices("rem") {
-        let before = css[done..at].trim_end_matches(|c: char| c.is_ascii_digit() || c == '.');
-        let begin = done + before.len();
-        let ends = !css[at + unit.len()..].starts_with(is_of_name);
-        if let (true, Ok(number)) = (ends, css[begin..at].parse::<f64>()) {
-            whole += &css[done..begin];
-            whole += &(REM_PX * number).to_string();
-            whole += "px";
-            done = at + unit.len();
-        }
-    }
-    (done > 0).then(|| whole + &css[done..])
-}
-
-/// Removes line heights from `font` shorthands.
-fn without_line_heights(css: &str) -> String {
-    let mut whole = String::new();
-    let mut rest = css;
-    while let Some(at) = rest.find("font") {
-        let (before, font) = rest.split_at(at + "font".len());
-        whole += before;
-        let end = font.find([';', '}']).unwrap_or(font.len());
-        let (value, after) = font.split_at(end);
-        let is_font = value.trim_start().starts_with(':');
-        match value.split_once('/').filter(|_| is_font) {
-            Some((size, height)) => {
-                whole += size;
-                let height = height.trim_start();
-                whole += height.find(' ').map_or("", |at| &height[at..]);
-            }
-            None => whole += value,
-        }
-        rest = after;
-    }
-    whole + rest
-}
-
-/// Quotes font names that are invalid without quotes.
-fn with_quoted_families(css: &str) -> Option<String> {
-    let (mut whole, mut done) = (String::new(), 0);
-    for (at, property) in css.match_indices("font-family") {
-        let value = css[at + property.len()..].trim_start();
-        let Some(value) = value.strip_prefix(':') else {
-            continue;
-        };
-        let list = &value[..value.find([';', '}']).unwrap_or(value.len())];
-        if let Some(families) = quoted_families(list) {
-            let begin = css.len() - value.len();
-            whole += &css[done..begin];
-            whole += &families;
-            done = begin + list.len();
-        }
-    }
-    (done > 0).then(|| whole + &css[done..])
-}
-
-/// Quotes the fonts of a list that have a word starting with a digit (`Hershey Sans 1-stroke`):
-/// many programs omit the quotes. `None` if there is no such name.
-pub(super) fn quoted_families(list: &str) -> Option<String> {
-    let is_quote = |sign: char| sign == '"' || sign == '\'';
-    let has_number = |name: &str| {
-        let mut words = name.split_whitespace();
-        words.any(|word| word.starts_with(|sign: char| sign.is_ascii_digit()))
-    };
-    let (mut families, mut is_open, mut is_changed) = (Vec::new(), false, false);
-    for family in list.split(',') {
-        let is_bare =
-            !is_open && !family.contains(|family| is_quote(family) || "!(\\".contains(family));
-        is_open ^= family.chars().filter(|c| is_quote(*c)).count() % 2 == 1;
-        if is_bare && has_number(family) {
-            families.push(Cow::Owned(format!("'{}'", family.trim())));
-            is_changed = true;
+fn precedence(
+    declaration: &Declaration<'_>,
+    rank: Rc<[usize]>,
+    specificity: u32,
+    order: usize,
+) -> Precedence {
+    let is_important = declaration.is_important;
+    Precedence {
+        is_important,
+        is_own: false,
+        layer: if is_important {
+            LayerRank::Important(Reverse(rank))
         } else {
-            families.push(Cow::Borrowed(family));
+            LayerRank::Usual(rank)
+        },
+        specificity,
+        order,
+    }
+}
+
+/// The values of properties whose declaration has an invalid custom property.
+fn unset(name: &str) -> declaration::Values<'static> {
+    let names = longhands(name);
+    let properties = names.iter().filter_map(|name| Property::of(name));
+    properties
+        .map(|property| (property, property.unset().into()))
+        .collect()
+}
+
+/// The custom properties of an element: its own ones and the inherited ones.
+fn known_variables<'a>(
+    outer: Option<Rc<Variables<'a>>>,
+    declared: &[Applied<'_, 'a>],
+) -> Option<Rc<Variables<'a>>> {
+    let mut known = outer;
+    for (_, declaration) in declared {
+        if let Content::Custom { name, value } = &declaration.content {
+            let all = Rc::make_mut(known.get_or_insert_default());
+            all.insert(name.clone(), value);
         }
     }
-    is_changed.then(|| families.join(","))
+    known
 }
 
-pub(super) fn replaced(css: Cow<'_, str>, by: impl Fn(&str) -> Option<String>) -> Cow<'_, str> {
-    match by(&css) {
-        Some(new) => Cow::Owned(new),
-        None => css,
+/// What an element needs to be selected.
+fn key(selector: &Selector<SvgSelectors>) -> Option<Key<'_>> {
+    let mut found = None;
+    for component in selector.iter() {
+        match component {
+            Component::ID(id) => return Some(Key::Id(id.as_ref())),
+            Component::Class(class) => found = Some(Key::Class(class.as_ref())),
+            Component::LocalName(name) if found.is_none() => {
+                found = Some(Key::Element(name.name.as_ref()));
+            }
+            _ => {}
+        }
     }
+    found
 }
 
-fn name_end(text: &str) -> usize {
-    text.find(|text| !is_of_name(text)).unwrap_or(text.len())
-}
-
-fn is_of_name(sign: char) -> bool {
-    sign.is_alphanumeric() || sign == '-' || sign == '_'
-}
-
-/// The largest depth of variables in variables.
-pub(super) const MAX_DEPTH: u32 = 8;
-/// More would fill the memory.
-const MAX_BYTES: usize = 20_000_000;
-/// The functions that are replaced by their values.
-const FUNCTIONS: [&str; 13] = [
-    "color",
-    "color-mix",
-    "hsl",
-    "hsla",
-    "hwb",
-    "lab",
-    "lch",
-    "light-dark",
-    "oklab",
-    "oklch",
-    "rgb",
-    "rgba",
-    "var",
-];
-const REM_PX: f64 = 16.0;
+/// The number of steps from element to element, and of tests; this takes about a second.
+const MAX_STEPS: u64 = 50_000_000;

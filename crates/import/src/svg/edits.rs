@@ -36,11 +36,16 @@ impl Additions {
         }
     }
 
-    /// Adds a declaration before all others of its style.
+    /// Adds a declaration to its style.
     pub(super) fn declaration(&mut self, name: &str, value: &str) {
-        for part in [";", name, ":", value] {
+        for part in [name, ":", value, ";"] {
             self.declarations += part;
         }
+    }
+
+    /// The attributes, each after a blank.
+    pub(super) fn attributes(&self) -> &str {
+        &self.attributes
     }
 
     pub(super) fn append(&mut self, other: &Self) {
@@ -48,30 +53,17 @@ impl Additions {
         self.declarations += &other.declarations;
     }
 
-    /// The edits that apply the additions to an element of the text: one at each position.
-    pub(super) fn edits(mut self, text: &str, node: Node<'_, '_>) -> Vec<Edit> {
-        let mut edits = Vec::new();
+    /// The edit that applies the additions to an element of the text without a style.
+    pub(super) fn edit(mut self, text: &str, node: Node<'_, '_>) -> Option<Edit> {
         let declarations = std::mem::take(&mut self.declarations);
-        if let Some(first) = declarations.strip_prefix(';') {
-            match node.attribute_node("style") {
-                Some(style) => {
-                    let end = style.range_value().end;
-                    edits.push(Edit {
-                        range: end..end,
-                        words: escaped(&declarations),
-                    });
-                }
-                None => self.attribute("style", first),
-            }
+        if !declarations.is_empty() {
+            self.attribute("style", &declarations);
         }
-        if !self.attributes.is_empty() {
-            let at = after_tag(text, node.range().start);
-            edits.push(Edit {
-                range: at..at,
-                words: self.attributes,
-            });
-        }
-        edits
+        let at = after_tag(text, node.range().start);
+        (!self.attributes.is_empty()).then_some(Edit {
+            range: at..at,
+            words: self.attributes,
+        })
     }
 }
 

@@ -2,27 +2,19 @@
 
 use std::collections::HashMap;
 
-use simplecss::StyleSheet;
 use usvg::roxmltree::{Document, Node};
 
-use super::declared::Declared;
-use super::styles;
 use crate::error::SvgError;
 
 /// Refuses a document that becomes too large or too deep when every reference is replaced by a
-/// copy, and one with recursive references.
-pub(crate) fn check(
-    doc: &Document<'_>,
-    rules: &StyleSheet<'_>,
-    segments: &[u64],
-) -> Result<(), SvgError> {
+/// copy, and one with recursive references. Returns the number of elements.
+pub(crate) fn check(doc: &Document<'_>, segments: &[u64]) -> Result<u64, SvgError> {
     let named = doc
         .descendants()
         .filter_map(|node| Some((node.attribute("id")?, node)));
     let mut counter = Counter {
         doc,
         segments,
-        groups: Declared::of(rules, makes_group),
         // Of elements with the same name, the first counts.
         named: named.collect::<Vec<_>>().into_iter().rev().collect(),
         known: vec![CostState::No; segments.len()],
@@ -36,14 +28,11 @@ pub(crate) fn check(
         let limit = MAX_WITH_GROUPS;
         return Err(SvgError::TooManyGroups { limit });
     }
-    if cost.styles > styles::MAX_WORK {
-        return Err(SvgError::LongStyles);
-    }
     if cost.segments > MAX_COPIED_SEGMENTS {
         let limit = MAX_COPIED_SEGMENTS;
         return Err(SvgError::TooManyCorners { limit });
     }
-    Ok(())
+    Ok(cost.elements)
 }
 
 #[derive(Clone, Copy, Default)]
@@ -52,8 +41,6 @@ struct Cost {
     /// The number of elements that become a group.
     groups: u64,
     segments: u64,
-    /// The cost of reading their styles.
-    styles: u64,
     /// The number of element levels.
     height: u32,
 }
@@ -69,9 +56,6 @@ impl Cost {
         self.segments = self
             .segments
             .saturating_add(inner.segments.saturating_mul(times));
-        self.styles = self
-            .styles
-            .saturating_add(inner.styles.saturating_mul(times));
         self.height = self.height.max(inner.height + 1);
     }
 }
@@ -79,8 +63,6 @@ impl Cost {
 struct Counter<'a> {
     doc: &'a Document<'a>,
     segments: &'a [u64],
-    /// The styles by which elements become groups.
-    groups: Declared<'a>,
     named: HashMap<&'a str, Node<'a, 'a>>,
     /// By element number in the document.
     known: Vec<CostState>,
@@ -114,9 +96,8 @@ impl<'a> Counter<'a> {
         self.known[number] = CostState::Soon;
         let mut cost = Cost {
             elements: 1,
-            groups: u64::from(self.is_group(node)),
+            groups: u64::from(is_group(node)),
             segments: self.segments[number],
-            styles: styles::cost(node),
             height: 0,
         };
         for child in node.children().filter(Node::is_element) {
@@ -131,12 +112,6 @@ impl<'a> Counter<'a> {
         }
         self.known[number] = CostState::Yes(cost);
         Ok(cost)
-    }
-
-    /// Whether an attribute of an element applies to its content as a group.
-    fn is_group(&self, node: Node<'_, '_>) -> bool {
-        let mut own = node.attributes();
-        own.any(|value| makes_group(value.name(), value.value())) || self.groups.of_element(node)
     }
 
     fn recursive(&self, node: Node<'_, '_>) -> SvgError {
@@ -154,12 +129,14 @@ impl<'a> Counter<'a> {
     }
 }
 
-fn makes_group(name: &str, value: &str) -> bool {
-    match name {
-        "opacity" => value != "1",
-        "transform" | "clip-path" | "mask" | "filter" => value != "none",
+/// Whether an attribute of an element applies to its content as a group.
+fn is_group(node: Node<'_, '_>) -> bool {
+    let mut attributes = node.attributes();
+    attributes.any(|attribute| match attribute.name() {
+        "opacity" => attribute.value() != "1",
+        "transform" | "clip-path" | "mask" | "filter" => attribute.value() != "none",
         _ => false,
-    }
+    })
 }
 
 /// The names that an element refers to, and whether each is a marker.
@@ -168,7 +145,7 @@ fn references<'a>(node: Node<'a, '_>) -> impl Iterator<Item = (&'a str, bool)> {
     let draws = !matches!(node.tag_name().name(), "a" | "animate" | "set" | "mpath");
     node.attributes().flat_map(move |attribute| {
         let (name, value) = (attribute.name(), attribute.value());
-        let is_marker = name.starts_with("marker") || (name == "style" && value.contains("marker"));
+        let is_marker = name.starts_with("marker");
         let href = value.strip_prefix('#').filter(|_| draws && name == "href");
         let urls = value.split("url(").skip(1).filter_map(|rest| {
             let inner = rest.split(')').next()?.trim().trim_matches(['"', '\'']);
@@ -182,7 +159,7 @@ fn references<'a>(node: Node<'a, '_>) -> impl Iterator<Item = (&'a str, bool)> {
 
 /// Far above any drawing, far below the limit of the stack.
 const MAX_DEPTH: u32 = 100;
-const MAX_ELEMENTS: u64 = 150_000;
+pub(super) const MAX_ELEMENTS: u64 = 150_000;
 /// A group takes nearly as much memory as a shape.
 const MAX_WITH_GROUPS: u64 = 190_000;
 const MAX_COPIED_SEGMENTS: u64 = 4_000_000;

@@ -5,6 +5,7 @@ use svgtypes::{SimplePathSegment as Segment, SimplifyingPathParser};
 use usvg::roxmltree::Node;
 
 use super::edits::Edit;
+use crate::limits::MAX_NUMBER;
 
 /// A path whose coincident handles are moved a little along the curve; `None` if there are none.
 pub(super) fn freed(node: Node<'_, '_>) -> Option<Edit> {
@@ -29,7 +30,7 @@ pub(super) fn freed(node: Node<'_, '_>) -> Option<Edit> {
     }
     moved.then(|| Edit {
         range: attribute.range_value(),
-        words: path.iter().map(words).collect(),
+        words: path.iter().map_while(words).collect(),
     })
 }
 
@@ -62,10 +63,11 @@ fn towards(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
     [0, 1].map(|value| from[value] + SHARE * (to[value] - from[value]))
 }
 
-fn words(segment: &Segment) -> String {
-    match segment {
-        Segment::MoveTo { x, y } => format!("M{x} {y}"),
-        Segment::LineTo { x, y } => format!("L{x} {y}"),
+/// A segment in the words of path data; `None` if a number is too large.
+pub(super) fn words(segment: &Segment) -> Option<String> {
+    let (sign, numbers) = match *segment {
+        Segment::MoveTo { x, y } => ('M', vec![x, y]),
+        Segment::LineTo { x, y } => ('L', vec![x, y]),
         Segment::CurveTo {
             x1,
             y1,
@@ -73,10 +75,13 @@ fn words(segment: &Segment) -> String {
             y2,
             x,
             y,
-        } => format!("C{x1} {y1} {x2} {y2} {x} {y}"),
-        Segment::Quadratic { x1, y1, x, y } => format!("Q{x1} {y1} {x} {y}"),
-        Segment::ClosePath => "Z".to_owned(),
-    }
+        } => ('C', vec![x1, y1, x2, y2, x, y]),
+        Segment::Quadratic { x1, y1, x, y } => ('Q', vec![x1, y1, x, y]),
+        Segment::ClosePath => ('Z', Vec::new()),
+    };
+    let is_small = numbers.iter().all(|number| number.abs() <= MAX_NUMBER);
+    let numbers: Vec<String> = numbers.iter().map(ToString::to_string).collect();
+    is_small.then(|| format!("{sign}{}", numbers.join(" ")))
 }
 
 /// The fraction of the handle; enough for a direction, and the curve moves by less than half of it.

@@ -42,7 +42,7 @@ pub(crate) struct LinePaint {
     pub(crate) color: InkColor,
     /// Its width in units of the shape; `None` for letters in the colour of a fill.
     pub(crate) width: Option<f64>,
-    /// Whether its width and its dashes are as given on the page, in pixels, however it is scaled.
+    /// Whether its width is as given on the page, in pixels, however it is scaled.
     pub(crate) on_page: bool,
     /// Whether its caps are round or square.
     pub(crate) has_ends: bool,
@@ -54,6 +54,19 @@ pub(crate) struct LinePaint {
 pub(crate) struct Dashes {
     pub(crate) lengths: Vec<f64>,
     pub(crate) offset: f64,
+    /// What their length is measured in.
+    pub(crate) of: DashLength,
+}
+
+/// What the length of dashes is measured in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum DashLength {
+    /// The units of the line.
+    Line,
+    /// Pixels on the page, however the line is scaled.
+    Page,
+    /// The whole length of the path.
+    Path,
 }
 
 /// A painted inside.
@@ -68,4 +81,8 @@ pub(crate) struct FillPaint {
 /// A miter limit, which no pen draws, as a mark of lines with non-scaling strokes: the library
 /// exposes nothing else of them.
 pub(super) const SCREEN_LINE: f32 = 9_876_543.0;
+/// Another one, of lines whose dashes are fractions of their path.
+pub(super) const PATH_DASHES: f32 = 9_876_544.0;
+/// A third one, of lines with both.
+pub(super) const SCREEN_PATH_DASHES: f32 = 9_876_545.0;
 pub(super) const PAPER: [u8; 3] = [255; 3];

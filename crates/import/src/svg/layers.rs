@@ -8,7 +8,7 @@ use super::color;
 use super::ink::InkColor;
 use crate::artwork::Layer;
 use crate::clip::ClipArea;
-use crate::hidden::{Covers, Heights};
+use crate::hidden::{CoverPaint, Covers, Heights};
 use crate::limits::{Budget, OverBudget};
 use crate::options::LayersBy;
 use crate::place::printable;
@@ -78,9 +78,14 @@ impl Layers {
         heights.areas.push(height);
     }
 
-    /// Adds an area that hides everything before it, in any layer.
-    pub(crate) fn cover(&mut self, area: ClipArea) {
-        self.covers.put(area);
+    /// Adds an area over everything before it, in any layer, and whether it hides that.
+    pub(crate) fn cover(&mut self, area: ClipArea, paint: CoverPaint, hides: bool) {
+        self.covers.put(area, paint, hides);
+    }
+
+    /// The areas painted before.
+    pub(crate) const fn covers(&self) -> &Covers {
+        &self.covers
     }
 
     /// The visible parts of each layer, and the number of lines and areas for which they are

@@ -1,15 +1,14 @@
 //! Texts that the library would draw differently from a browser.
 
-use simplecss::StyleSheet;
 use usvg::roxmltree::{Document, Node};
 
-use super::declared::{inherited, property_of};
+use super::css::Styles;
 use super::edits::Edit;
 
 /// Removes hidden parts of texts: the library draws nested ones.
-pub(super) fn undisplayed(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<Edit> {
+pub(super) fn undisplayed(doc: &Document<'_>, styles: &Styles<'_>) -> Vec<Edit> {
     let spans = doc.descendants().filter(|node| is_named(*node, &PARTS));
-    let hidden = spans.filter(|span| property_of(rules, *span, "display") == Some("none"));
+    let hidden = spans.filter(|span| styles.property(*span, "display") == Some("none"));
     let edits = hidden.map(|hidden| Edit {
         range: hidden.range(),
         words: String::new(),
@@ -19,12 +18,12 @@ pub(super) fn undisplayed(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<Edi
 
 /// The anchors of right-to-left texts by node number: the library takes their left ends for their
 /// starts. Empty if there are none.
-pub(super) fn anchors(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<Option<&'static str>> {
-    let directions = inherited(rules, doc, "direction");
+pub(super) fn anchors(doc: &Document<'_>, styles: &Styles<'_>) -> Vec<Option<&'static str>> {
+    let directions = styles.inherited(doc, "direction");
     if !directions.contains(&Some("rtl")) {
         return Vec::new();
     }
-    let anchors = inherited(rules, doc, "text-anchor");
+    let anchors = styles.inherited(doc, "text-anchor");
     let mut turned = vec![None; directions.len()];
     for text in doc.descendants().filter(|node| is_named(*node, &TEXTS)) {
         let number = text.id().get_usize();

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use dobot_geometry::{Affine, Area, FillRule, Point, Rect, Stroke, bounds};
+use dobot_geometry::{Affine, Area, CancelToken, FillRule, Point, Rect, Stroke, bounds};
 
-use super::ink::{Dashes, FillPaint, Ink, InkColor, LinePaint};
+use super::ink::{DashLength, FillPaint, Ink, InkColor, LinePaint, PAPER};
 use super::layers::Layers;
 use super::renderer::MM_PER_PX;
 use super::warning_count::{WarningCount, WarningKind};
@@ -13,6 +13,7 @@ use crate::artwork::Artwork;
 use crate::clip::{ClipArea, Region};
 use crate::dash::dash;
 use crate::error::SvgError;
+use crate::hidden::CoverPaint;
 use crate::limits::LIMIT_MM;
 use crate::limits::{Budget, MAX_SEGMENTS, OverBudget};
 use crate::options::ReadOptions;
@@ -20,6 +21,7 @@ use crate::polygon::Polygons;
 use crate::warning::Warning;
 
 /// A collector of everything visible on the page.
+#[expect(clippy::struct_excessive_bools, reason = "each is asked for by itself")]
 pub(crate) struct SvgPage {
     size_mm: [f64; 2],
     /// The clip edge; `None` without clipping.
@@ -27,13 +29,16 @@ pub(crate) struct SvgPage {
     /// The length and the number of lines clipped at the edge.
     cut_mm: f64,
     cut_lines: usize,
-    /// The number of remaining segments.
-    pub(crate) budget: Budget,
-    /// The remaining budget of corners of filled shapes and clip paths, charged for each clip.
-    corners_left: usize,
+    pub(crate) work: ClipWork,
+    /// The work for what is under white shapes, which is limited by itself.
+    white_work: ClipWork,
     pub(crate) layers: Layers,
     /// Whether filled shapes hide what is under them.
     pub(crate) hides: bool,
+    /// Whether the edges of white shapes on darker ones are drawn.
+    draws_white_edges: bool,
+    /// Whether the darker shapes under white ones are needed.
+    pub(crate) tracks_fills: bool,
     fills: bool,
     warnings: BTreeMap<WarningKind, usize>,
 }
@@ -46,10 +51,12 @@ impl SvgPage {
             edge: options.crops.then(|| PageEdge::new(size_mm)),
             cut_mm: 0.0,
             cut_lines: 0,
-            budget: Budget::until(MAX_SEGMENTS, &options.cancel),
-            corners_left: MAX_CLIPPED_CORNERS,
+            work: ClipWork::until(&options.cancel),
+            white_work: ClipWork::until(&options.cancel),
             layers: Layers::new(by),
             hides: options.hides,
+            draws_white_edges: options.hides || options.white_edges,
+            tracks_fills: options.hides,
             fills: options.fills,
             warnings: BTreeMap::new(),
         }
@@ -67,7 +74,7 @@ impl SvgPage {
 
     pub(crate) fn finish(mut self) -> Result<(Artwork, Vec<WarningCount>), SvgError> {
         let [width_mm, height_mm] = self.size_mm;
-        let (layers, entangled) = self.layers.finish(&mut self.budget, self.fills)?;
+        let (layers, entangled) = self.layers.finish(&mut self.work.budget, self.fills)?;
         let artwork = Artwork {
             width_mm,
             height_mm,
@@ -80,6 +87,13 @@ impl SvgPage {
         let warnings = self.warnings.into_iter();
         let warnings = warnings.map(|(kind, count)| WarningCount { kind, count });
         Ok((artwork, warnings.collect()))
+    }
+
+    /// Spends corners of clipped areas; `false` if there are too few.
+    pub(super) fn take_corners(&mut self, corners: usize) -> bool {
+        let left = self.work.corners_left.checked_sub(corners);
+        self.work.corners_left = left.unwrap_or_default();
+        left.is_some()
     }
 
     pub(crate) fn warn(&mut self, kind: WarningKind, count: usize) {
@@ -96,30 +110,38 @@ impl SvgPage {
         ink: &Ink,
         clips: &[Rc<Region>],
     ) -> Result<(), SvgError> {
-        if let Some(fill) = ink.fill.filter(|fill| self.hides && fill.is_opaque) {
-            self.cover(&outlines, transform, fill.rule, clips)?;
+        let darker = self.darker_under(&outlines, transform, ink, clips)?;
+        if let Some(fill) = ink.fill {
+            self.cover(&outlines, transform, fill, clips)?;
         }
+        self.layers.draw_with(None);
+        self.white_edges(darker)?;
         let Some(color) = ink.outline() else {
             return Ok(());
         };
-        self.layers.draw_with(None);
-        let mut edges = None;
+        let mut cut = None;
         if let Some(fill) = ink.area() {
-            edges = self.fill(&outlines, transform, fill, clips)?;
+            cut = self.fill(&outlines, transform, fill, clips)?;
         }
-        if ink.line.is_none() {
-            if let Some(edges) = edges {
+        if let Some(CutArea { edges, whole }) = cut {
+            if ink.line.is_none() {
                 return edges
                     .into_iter()
                     .try_for_each(|edge| self.on_page(edge, color));
             }
+            let color = ink.area().map_or(color, |fill| fill.color);
+            for edge in beside_outline(&edges, &whole) {
+                self.on_page(edge, color)?;
+            }
+        } else if ink.line.is_none() {
             outlines.retain(has_area);
             outlines.iter_mut().for_each(close);
         }
         let width_mm = ink.line.as_ref().and_then(|line| width_mm(line, transform));
         self.layers.draw_with(width_mm);
+        let whole = outlines.iter().map(Stroke::length_mm).sum();
         for outline in outlines {
-            let (pieces, transform) = self.dashes(outline, transform, ink)?;
+            let (pieces, transform) = self.dashes(outline, whole, transform, ink)?;
             for piece in pieces {
                 if ink.has_ends() || has_length(&piece) {
                     self.stroke(piece, transform, color, clips)?;
@@ -129,42 +151,131 @@ impl SvgPage {
         Ok(())
     }
 
-    /// Hides everything drawn before under the shape.
+    /// The parts of the edge of a white fill that lie on something darker, with its colour.
+    fn darker_under(
+        &mut self,
+        outlines: &[Stroke],
+        transform: Affine,
+        ink: &Ink,
+        clips: &[Rc<Region>],
+    ) -> Result<Vec<(InkColor, Stroke)>, SvgError> {
+        let fill = ink
+            .fill
+            .filter(|fill| self.tracks_fills && fill.color.0 == Some(PAPER));
+        let Some(fill) = fill else {
+            return Ok(Vec::new());
+        };
+        let work = &mut self.white_work;
+        let Some(filled) = FilledArea::new(outlines, transform, fill.rule, clips, work)? else {
+            return Ok(Vec::new());
+        };
+        let shown = filled.shown.unwrap_or_else(|| filled.whole.clone());
+        let mut edges = outlines_of(shown);
+        if ink.line.is_some() {
+            edges = beside_outline(&edges, &filled.whole);
+        }
+        let mut darker = Vec::new();
+        for edge in edges {
+            let covers = self.layers.covers();
+            let parts = covers.darker_under(&edge, &mut self.white_work.budget);
+            let Ok(Some(parts)) = parts else {
+                self.stop_tracking()?;
+                break;
+            };
+            darker.extend(
+                parts
+                    .into_iter()
+                    .map(|(color, part)| (InkColor(color), part)),
+            );
+        }
+        Ok(darker)
+    }
+
+    /// Stops to look for what is under white shapes, of which there are too many.
+    fn stop_tracking(&mut self) -> Result<(), SvgError> {
+        // A cancelled budget looks exhausted.
+        self.white_work.budget.spend(0)?;
+        self.tracks_fills = false;
+        self.warn(WarningKind::WhiteUnknown, 1);
+        Ok(())
+    }
+
+    /// Draws edges of a white shape on darker ones, or reports that they are not drawn.
+    fn white_edges(&mut self, darker: Vec<(InkColor, Stroke)>) -> Result<(), SvgError> {
+        if !self.draws_white_edges {
+            self.warn(WarningKind::WhiteOnDark, usize::from(!darker.is_empty()));
+            return Ok(());
+        }
+        darker
+            .into_iter()
+            .try_for_each(|(color, edge)| self.on_page(edge, color))
+    }
+
+    /// Notes a fill for what is drawn before it and after it.
     fn cover(
         &mut self,
         outlines: &[Stroke],
         transform: Affine,
-        rule: FillRule,
+        fill: FillPaint,
         clips: &[Rc<Region>],
     ) -> Result<(), SvgError> {
+        let is_paper = fill.color.0 == Some(PAPER);
+        let hides = self.hides && fill.is_opaque;
+        // Where white is translucent, what is under it stays darker.
+        if !hides && (!self.tracks_fills || (is_paper && !fill.is_opaque)) {
+            return Ok(());
+        }
+        let corners = outlines.iter().map(|outline| outline.points.len()).sum();
+        if hides {
+            self.work.budget.spend(corners)?;
+        } else if self.white_work.budget.spend(corners).is_err() {
+            self.stop_tracking()?;
+            return Ok(());
+        }
         let mut outlines = outlines.to_vec();
         for outline in &mut outlines {
-            self.budget.spend(outline.points.len())?;
             place(&mut outline.points, transform)?;
         }
-        self.layers
-            .cover(ClipArea::new(&outlines, rule, clips.to_vec()));
+        let paint = if is_paper {
+            CoverPaint::Paper
+        } else {
+            CoverPaint::Ink(fill.color.0)
+        };
+        let area = ClipArea::new(&outlines, fill.rule, clips.to_vec());
+        self.layers.cover(area, paint, hides);
         Ok(())
     }
 
-    /// The dashes of an outline, and their transform to the page.
+    /// The dashes of an outline of a path of this length, and their transform to the page.
     fn dashes(
         &mut self,
         mut outline: Stroke,
+        whole: f64,
         transform: Affine,
         ink: &Ink,
     ) -> Result<(Vec<Stroke>, Affine), SvgError> {
-        let line = ink.line.as_ref();
-        let Some((line, dashes)) = line.and_then(|line| Some((line, line.dashes.as_ref()?))) else {
+        let dashes = ink.line.as_ref().and_then(|line| line.dashes.as_ref());
+        let Some(dashes) = dashes else {
             return Ok((vec![outline], transform));
         };
         let mut rest = transform;
-        if line.on_page {
+        if dashes.of == DashLength::Page {
             rest = Affine::scale(MM_PER_PX);
             place(&mut outline.points, rest.inverse() * transform)?;
         }
-        let Dashes { lengths, offset } = dashes;
-        Ok((dash(outline, lengths, *offset, &mut self.budget)?, rest))
+        let unit = if dashes.of == DashLength::Path {
+            whole
+        } else {
+            1.0
+        };
+        let lengths: Vec<f64> = dashes.lengths.iter().map(|length| unit * length).collect();
+        let pieces = dash(
+            outline,
+            &lengths,
+            unit * dashes.offset,
+            &mut self.work.budget,
+        )?;
+        Ok((pieces, rest))
     }
 
     /// Adds the visible part of a stroke to the page.
@@ -183,7 +294,7 @@ impl SvgPage {
         for clip in clips {
             let mut shown = Vec::new();
             for piece in pieces {
-                shown.append(&mut clip.cut(piece, &mut self.budget)?);
+                shown.append(&mut clip.cut(piece, &mut self.work.budget)?);
             }
             pieces = shown;
         }
@@ -200,7 +311,7 @@ impl SvgPage {
             return Ok(());
         };
         let whole_mm = stroke.length_mm();
-        let pieces = edge.region.cut(stroke, &mut self.budget)?;
+        let pieces = edge.region.cut(stroke, &mut self.work.budget)?;
         self.cut_mm += whole_mm - pieces.iter().map(Stroke::length_mm).sum::<f64>();
         self.cut_lines += 1;
         for piece in pieces {
@@ -217,7 +328,73 @@ impl SvgPage {
         transform: Affine,
         fill: FillPaint,
         clips: &[Rc<Region>],
-    ) -> Result<Option<Vec<Stroke>>, SvgError> {
+    ) -> Result<Option<CutArea>, SvgError> {
+        let work = &mut self.work;
+        let Some(filled) = FilledArea::new(outlines, transform, fill.rule, clips, work)? else {
+            return Ok(None);
+        };
+        let FilledArea {
+            whole,
+            around,
+            shown,
+        } = filled;
+        let edge = self.edge.as_ref().filter(|edge| !edge.holds(around));
+        let area = match (&shown, edge) {
+            (_, None) | (None, _) => shown.clone(),
+            (Some(whole), Some(_)) if whole.rings.is_empty() => shown.clone(),
+            (Some(whole), Some(edge)) => self::shown(
+                whole,
+                around,
+                [&edge.region],
+                &mut self.work.budget,
+                &mut self.work.corners_left,
+            )?,
+        };
+        match area {
+            Some(area) if !area.rings.is_empty() => self.layers.area(area, fill.color),
+            Some(_) => {}
+            None => self.warn(WarningKind::Entangled, 1),
+        }
+        let cut = shown.filter(|shown| *shown != whole).map(outlines_of);
+        Ok(cut.map(|edges| CutArea { edges, whole }))
+    }
+}
+
+/// The work that may still be done.
+#[derive(Debug)]
+pub(crate) struct ClipWork {
+    /// The number of remaining segments.
+    pub(crate) budget: Budget,
+    /// The remaining budget of corners of filled shapes and clip paths, charged for each clip.
+    corners_left: usize,
+}
+
+impl ClipWork {
+    fn until(cancel: &CancelToken) -> Self {
+        Self {
+            budget: Budget::until(MAX_SEGMENTS, cancel),
+            corners_left: MAX_CLIPPED_CORNERS,
+        }
+    }
+}
+
+/// A filled area on the page.
+struct FilledArea {
+    whole: Area,
+    around: Rect,
+    /// The part inside its clip paths; `None` if too complex.
+    shown: Option<Area>,
+}
+
+impl FilledArea {
+    /// A filled area in page coordinates, and its part inside clip paths; `None` if it is empty.
+    fn new(
+        outlines: &[Stroke],
+        transform: Affine,
+        rule: FillRule,
+        clips: &[Rc<Region>],
+        work: &mut ClipWork,
+    ) -> Result<Option<Self>, SvgError> {
         let mut around = bounds([]);
         let mut rings = Vec::with_capacity(outlines.len());
         for outline in outlines {
@@ -234,36 +411,55 @@ impl SvgPage {
         if rings.is_empty() || around.width() <= 0.0 || around.height() <= 0.0 {
             return Ok(None);
         }
-        let whole = Area {
-            rings,
-            rule: fill.rule,
-        };
+        let whole = Area { rings, rule };
         let shown = shown(
             &whole,
             around,
             clips.iter().map(Rc::as_ref),
-            &mut self.budget,
-            &mut self.corners_left,
+            &mut work.budget,
+            &mut work.corners_left,
         )?;
-        let edge = self.edge.as_ref().filter(|edge| !edge.holds(around));
-        let area = match (&shown, edge) {
-            (_, None) | (None, _) => shown.clone(),
-            (Some(whole), Some(_)) if whole.rings.is_empty() => shown.clone(),
-            (Some(whole), Some(edge)) => self::shown(
-                whole,
-                around,
-                [&edge.region],
-                &mut self.budget,
-                &mut self.corners_left,
-            )?,
-        };
-        match area {
-            Some(area) if !area.rings.is_empty() => self.layers.area(area, fill.color),
-            Some(_) => {}
-            None => self.warn(WarningKind::Entangled, 1),
-        }
-        Ok(shown.filter(|stroke| *stroke != whole).map(outlines_of))
+        Ok(Some(Self {
+            whole,
+            around,
+            shown,
+        }))
     }
+}
+
+/// A filled area that clip paths cut.
+struct CutArea {
+    edges: Vec<Stroke>,
+    whole: Area,
+}
+
+/// The parts of edges that clip paths cut into an area: those beside its own outline.
+fn beside_outline(edges: &[Stroke], whole: &Area) -> Vec<Stroke> {
+    let rings: Vec<Stroke> = whole.rings.iter().cloned().map(Stroke::open).collect();
+    let outline = ClipArea::new(&rings, whole.rule, Vec::new());
+    let mut parts: Vec<Stroke> = Vec::new();
+    for edge in edges {
+        let (mut is_open, before) = (false, parts.len());
+        for (a, b) in edge.segments() {
+            let is_own = [a, a.midpoint(b), b]
+                .into_iter()
+                .all(|p| outline.is_on_edge(p));
+            match parts.last_mut().filter(|_| is_open) {
+                Some(part) if !is_own => part.points.push(b),
+                _ if !is_own => parts.push(Stroke::open(vec![a, b])),
+                _ => {}
+            }
+            is_open = !is_own;
+        }
+        // The first part goes on where the last one ends.
+        let is_around = is_open && parts.len() > before + 1;
+        if is_around && parts[before].points.first() == edge.points.first() {
+            let last = parts.pop().map_or_else(Vec::new, |last| last.points);
+            let first = std::mem::replace(&mut parts[before].points, last);
+            parts[before].points.extend_from_slice(&first[1..]);
+        }
+    }
+    parts
 }
 
 /// The edge of a page, slightly enlarged: numbers in files are rounded, and half of a line on the

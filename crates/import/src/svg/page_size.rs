@@ -2,37 +2,36 @@
 
 use std::str::FromStr;
 
-use simplecss::StyleSheet;
 use svgtypes::Length;
 use usvg::roxmltree::{Attribute, Document};
 
-use super::declared::value_of;
+use super::css::{Found, Styles};
 use super::edits::{Additions, Edit, escaped};
 
-/// The rewritten attributes of the root, and the number of ignored sizes.
+/// The rewritten attributes of the root, and the ignored sizes.
 #[derive(Debug, Default)]
 pub(super) struct PageSize {
     pub(super) edits: Vec<Edit>,
     pub(super) added: Additions,
-    pub(super) unread: usize,
+    pub(super) unread: Found,
 }
 
 impl PageSize {
     /// The width and the height by the styles, which precede the attributes. A size that a browser
     /// ignores, or takes from its window, is the whole page.
-    pub(super) fn of(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Self {
+    pub(super) fn of(doc: &Document<'_>, styles: &Styles<'_>) -> Self {
         let root = doc.root_element();
         let mut size = Self::default();
         for name in ["width", "height"] {
             let attribute = root.attribute_node(name);
-            let styled = value_of(rules, root, name);
-            let styled = styled.filter(|value| UNITS.iter().any(|unit| value.ends_with(unit)));
+            let styled = styles.value(root, name);
+            let styled = styled.filter(|value| !value.ends_with('%'));
             match (styled.filter(|value| is_length(value)), attribute) {
                 (Some(value), Some(attribute)) => size.edits.push(replaced(&attribute, value)),
                 (Some(value), None) => size.added.attribute(name, value),
                 (None, Some(attribute)) if !is_read(attribute.value().trim()) => {
                     size.edits.push(replaced(&attribute, "100%"));
-                    size.unread += 1;
+                    size.unread.add(1, attribute.range_value().start);
                 }
                 _ => {}
             }
@@ -55,6 +54,3 @@ fn is_read(value: &str) -> bool {
 fn is_length(value: &str) -> bool {
     Length::from_str(value).is_ok_and(|length| length.number >= 0.0)
 }
-
-/// Units of the page size in styles.
-const UNITS: [&str; 6] = ["px", "mm", "cm", "in", "pt", "pc"];

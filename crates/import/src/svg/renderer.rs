@@ -4,11 +4,18 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use dobot_geometry::{Affine, FillRule, Stroke};
-use usvg::{BlendMode, ClipPath, Group, LineCap, Node, Paint, Path, Stop, Text, Tree};
+use usvg::{
+    BlendMode, ClipPath, Group, Image, ImageKind, LineCap, Node, Paint, Path, Stop, Text, Tree,
+};
 
 use super::flatten::flatten;
-use super::ink::{Dashes, FillPaint, Ink, InkColor, LinePaint, PAPER, SCREEN_LINE};
+use super::ink::{
+    DashLength, Dashes, FillPaint, Ink, InkColor, LinePaint, PAPER, PATH_DASHES, SCREEN_LINE,
+    SCREEN_PATH_DASHES,
+};
+use super::mask::boxed;
 use super::page::{SvgPage, place};
+use super::pattern::MAX_TILES;
 use super::single_line::{self, Written};
 use super::warning_count::WarningKind;
 use crate::clip::{ClipArea, Region};
@@ -16,7 +23,7 @@ use crate::error::SvgError;
 
 /// A visitor of a tree that draws on a page.
 pub(crate) struct TreeRenderer<'a> {
-    page: &'a mut SvgPage,
+    pub(super) page: &'a mut SvgPage,
     tolerance_mm: f64,
     /// The names of the outermost groups, by `id`.
     groups: &'a HashMap<String, String>,
@@ -24,6 +31,8 @@ pub(crate) struct TreeRenderer<'a> {
     in_group: bool,
     /// Whether it is inside a transparent group.
     is_faint: bool,
+    /// The number of tiles of patterns that may still be drawn.
+    pub(super) tiles_left: u32,
 }
 
 impl<'a> TreeRenderer<'a> {
@@ -38,14 +47,16 @@ impl<'a> TreeRenderer<'a> {
             groups,
             in_group: false,
             is_faint: false,
+            tiles_left: MAX_TILES,
         }
     }
 
     pub(crate) fn tree(&mut self, tree: &Tree) -> Result<(), SvgError> {
+        self.page.tracks_fills |= has_white_over_dark(tree.root(), &mut false);
         self.group(tree.root(), Affine::scale(MM_PER_PX), &mut Vec::new())
     }
 
-    fn group(
+    pub(super) fn group(
         &mut self,
         group: &Group,
         parent: Affine,
@@ -72,13 +83,16 @@ impl<'a> TreeRenderer<'a> {
         if group.opacity().get() == 0.0 {
             return Ok(());
         }
-        let has_mask = usize::from(group.mask().is_some());
-        self.page.warn(WarningKind::Mask, has_mask);
         self.page.warn(WarningKind::Filter, group.filters().len());
         let transform = parent * affine(group.transform());
         let outer = clips.len();
         if let Some(clip) = group.clip_path() {
             self.regions(clip, transform, clips)?;
+        }
+        if let Some(mask) = group.mask()
+            && !self.mask(mask, transform, clips)?
+        {
+            self.page.warn(WarningKind::Mask, 1);
         }
         let was_faint = self.is_faint;
         self.is_faint |= group.opacity().get() < 1.0 || group.blend_mode() != BlendMode::Normal;
@@ -100,12 +114,30 @@ impl<'a> TreeRenderer<'a> {
             Node::Group(group) => self.group(group, transform, clips),
             Node::Path(path) => self.path(path, transform, clips),
             Node::Text(text) => self.text(text, transform, clips),
-            Node::Image(image) => {
-                let is_visible = usize::from(image.is_visible());
-                self.page.warn(WarningKind::Image, is_visible);
-                Ok(())
-            }
+            Node::Image(image) => self.image(image, transform, clips),
         }
+    }
+
+    /// Draws an SVG image; others are left out.
+    fn image(
+        &mut self,
+        image: &Image,
+        transform: Affine,
+        clips: &mut Vec<Rc<Region>>,
+    ) -> Result<(), SvgError> {
+        if !image.is_visible() {
+            return Ok(());
+        }
+        let ImageKind::SVG(tree) = image.kind() else {
+            self.page.warn(WarningKind::Image, 1);
+            return Ok(());
+        };
+        let size = tree.size();
+        let [width, height] = [size.width(), size.height()].map(f64::from);
+        clips.push(boxed([0.0, 0.0, width, height], transform));
+        self.group(tree.root(), transform, clips)?;
+        clips.pop();
+        Ok(())
     }
 
     /// Draws a text in single-line letters if the file asks for them, otherwise in outlines.
@@ -144,7 +176,7 @@ impl<'a> TreeRenderer<'a> {
                 fill: None,
             };
             let corners = strokes.iter().map(|stroke| stroke.points.len()).sum();
-            self.page.budget.spend(corners)?;
+            self.page.work.budget.spend(corners)?;
             self.page.shape(strokes, transform, &ink, clips)?;
         }
         Ok(())
@@ -156,13 +188,22 @@ impl<'a> TreeRenderer<'a> {
         transform: Affine,
         clips: &[Rc<Region>],
     ) -> Result<(), SvgError> {
-        let ink = self.ink(path);
+        let mut ink = self.ink(path);
+        let pattern = path
+            .fill()
+            .filter(|fill| path.is_visible() && fill.opacity().get() > 0.0);
+        if let Some(Paint::Pattern(pattern)) = pattern.map(usvg::Fill::paint) {
+            if self.pattern(path, pattern, transform, clips)? {
+                ink.fill = None;
+            } else {
+                self.page.warn(WarningKind::Pattern, 1);
+            }
+        }
         if !path.is_visible() || ink == Ink::default() {
             return Ok(());
         }
         if ink.is_paper() && !self.page.hides {
             self.page.warn(WarningKind::Paper, 1);
-            return Ok(());
         }
         let outlines = self.flatten(path, transform)?;
         self.page.shape(outlines, transform, &ink, clips)
@@ -176,7 +217,8 @@ impl<'a> TreeRenderer<'a> {
         let fill = fill.filter(|fill| shows(fill.opacity().get(), fill.paint()));
         if path.is_visible() {
             self.warn_of_paint(line.map(usvg::Stroke::paint));
-            self.warn_of_paint(fill.map(usvg::Fill::paint));
+            let fill = fill.map(usvg::Fill::paint);
+            self.warn_of_paint(fill.filter(|fill| !matches!(fill, Paint::Pattern(_))));
         }
         Ink {
             line: line.map(read_line),
@@ -187,11 +229,11 @@ impl<'a> TreeRenderer<'a> {
     fn flatten(&mut self, path: &Path, transform: Affine) -> Result<Vec<Stroke>, SvgError> {
         let stretch = transform.spectral_norm().max(f64::MIN_POSITIVE);
         let tolerance = self.tolerance_mm / stretch;
-        flatten(path.data(), tolerance, &mut self.page.budget)
+        flatten(path.data(), tolerance, &mut self.page.work.budget)
     }
 
     /// The clip regions; all must contain a visible point.
-    fn regions(
+    pub(super) fn regions(
         &mut self,
         clip: &ClipPath,
         transform: Affine,
@@ -232,7 +274,8 @@ impl<'a> TreeRenderer<'a> {
         Ok(())
     }
 
-    fn area(
+    /// The inside of a shape.
+    pub(super) fn area(
         &mut self,
         path: &Path,
         transform: Affine,
@@ -259,7 +302,21 @@ impl<'a> TreeRenderer<'a> {
     }
 }
 
-fn affine(map: usvg::Transform) -> Affine {
+/// Whether a white fill comes after one of another colour, which is noted.
+fn has_white_over_dark(group: &Group, has_dark: &mut bool) -> bool {
+    group.children().iter().any(|node| match node {
+        Node::Group(group) => has_white_over_dark(group, has_dark),
+        Node::Text(text) => has_white_over_dark(text.flattened(), has_dark),
+        Node::Path(path) => path.fill().is_some_and(|fill| {
+            let is_white = rgb(fill.paint()) == Some(PAPER);
+            *has_dark |= !is_white;
+            is_white && *has_dark
+        }),
+        Node::Image(_) => false,
+    })
+}
+
+pub(super) fn affine(map: usvg::Transform) -> Affine {
     Affine::new([map.sx, map.ky, map.kx, map.sy, map.tx, map.ty].map(f64::from))
 }
 
@@ -270,14 +327,20 @@ pub(crate) fn page_mm(tree: &Tree) -> [f64; 2] {
 }
 
 fn read_line(line: &usvg::Stroke) -> LinePaint {
+    let mark = line.miterlimit().get();
     let dashes = line.dasharray().map(|lengths| Dashes {
         lengths: lengths.iter().copied().map(f64::from).collect(),
         offset: f64::from(line.dashoffset()),
+        of: match mark {
+            SCREEN_LINE => DashLength::Page,
+            PATH_DASHES | SCREEN_PATH_DASHES => DashLength::Path,
+            _ => DashLength::Line,
+        },
     });
     LinePaint {
         color: InkColor(rgb(line.paint())),
         width: Some(line.width().get().into()),
-        on_page: line.miterlimit().get() == SCREEN_LINE,
+        on_page: matches!(mark, SCREEN_LINE | SCREEN_PATH_DASHES),
         has_ends: line.linecap() != LineCap::Butt,
         dashes,
     }
@@ -292,7 +355,7 @@ fn read_fill(fill: &usvg::Fill, is_faint: bool) -> FillPaint {
 }
 
 /// The colour of a gradient: the first one visible on white paper.
-fn rgb(paint: &Paint) -> Option<[u8; 3]> {
+pub(super) fn rgb(paint: &Paint) -> Option<[u8; 3]> {
     if let Paint::Color(color) = paint {
         return Some([color.red, color.green, color.blue]);
     }

@@ -3,7 +3,7 @@
 use dobot_lettering::StrokeFont;
 use usvg::roxmltree::{Document, Node};
 
-use super::declared::{inherited, property_of, rules};
+use super::css::Styles;
 use super::warning_count::{WarningCount, WarningKind};
 use crate::place::Place;
 use crate::warning::Warning;
@@ -13,7 +13,7 @@ use crate::warning::Warning;
 pub(super) struct UnreadPlaces(Vec<(WarningKind, Place)>);
 
 impl UnreadPlaces {
-    pub(super) fn of(doc: &Document<'_>, text: &str) -> Self {
+    pub(super) fn of(doc: &Document<'_>, text: &str, styles: &Styles<'_>) -> Self {
         let mut properties = PROPERTIES
             .iter()
             .filter(|property| text.contains(property.1))
@@ -21,15 +21,16 @@ impl UnreadPlaces {
         if properties.peek().is_none() {
             return Self::default();
         }
-        let rules = rules(doc);
-        let families = inherited(&rules, doc, "font-family");
+        let families = styles.inherited(doc, "font-family");
         let is_in_single_lines = |node: Node<'_, '_>| {
             let family = families[node.id().get_usize()];
             family.is_some_and(|family| first_font(family).is_some())
         };
         let first = |name: &str| {
             let has_it = |node: &Node<'_, '_>| {
-                property_of(&rules, *node, name).is_some_and(|value| !AS_WRITTEN.contains(&value))
+                styles
+                    .property(*node, name)
+                    .is_some_and(|value| !AS_WRITTEN.contains(&value))
             };
             let mut having = doc.descendants().filter(has_it);
             // Fonts may be given in other ways.
@@ -42,6 +43,11 @@ impl UnreadPlaces {
                 .filter_map(|message| Some((message.0, first(message.1)?)))
                 .collect(),
         )
+    }
+
+    /// Notes the first place of what a warning counts.
+    pub(super) fn note(&mut self, kind: WarningKind, place: Place) {
+        self.0.push((kind, place));
     }
 
     /// Adds the place to a warning, if known.

@@ -26,6 +26,8 @@ pub(crate) enum WarningKind {
     Image,
     /// A mask.
     Mask,
+    /// A mask of something without width or height.
+    EmptyMask,
     /// A filter, such as a blur.
     Filter,
     /// A gradient as paint.
@@ -34,6 +36,10 @@ pub(crate) enum WarningKind {
     Pattern,
     /// A shape with a white fill and without a line.
     Paper,
+    /// One of them that lies on something darker.
+    WhiteOnDark,
+    /// A white shape among so many shapes that what is under it is not computed.
+    WhiteUnknown,
     /// A fill that crosses itself too often, or has too many corners with its clip path, for
     /// clipping.
     Entangled,
@@ -43,16 +49,28 @@ pub(crate) enum WarningKind {
     FlowedText,
     /// HTML text (diagram programs).
     ForeignText,
-    /// A shape or a group with a CSS transform.
+    /// HTML text of plain lines.
+    PlainLabel,
+    /// A shape or a group transformed around a place in its own box.
     MovedByStyle,
-    /// A shape whose place or size is set by CSS.
-    SizedByStyle,
     /// A CSS clip-path by a basic shape.
     ClippedByStyle,
     /// A shape of another file.
     LinkedShape,
+    /// A style sheet in another file.
+    ExternalSheet,
     /// An ignored rule of a sheet.
-    UnreadRule,
+    IgnoredRule,
+    /// An ignored value of a property.
+    IgnoredValue,
+    /// A layer that `AxiDraw` does not draw.
+    CommentLayer,
+    /// A layer whose name has other codes of `AxiDraw`.
+    LayerCodes,
+    /// A copy of a missing element.
+    MissingTarget,
+    /// A line of width 0.
+    WidthZero,
     /// A width or a height of the page that is not a length.
     UnreadSize,
     /// A line with dashes as fractions of its path.
@@ -74,17 +92,34 @@ pub(crate) enum WarningKind {
 }
 
 impl WarningKind {
+    #[expect(clippy::too_many_lines, reason = "a table")]
     const fn words(self) -> (&'static str, &'static str) {
+        // table
         match self {
             Self::Image => ("image", "left out; trace it to paths"),
             Self::Mask => ("mask", "ignored; what it hides is drawn"),
+            Self::EmptyMask => (
+                "mask",
+                "of something without width or height hides it, as in a browser; set its maskUnits to userSpaceOnUse",
+            ),
             Self::Filter => ("filter", "ignored; the shape is drawn unchanged"),
             Self::Gradient => (
                 "gradient",
                 "drawn as one colour, the first of its stops that is not white",
             ),
-            Self::Pattern => ("pattern", "left out; its area is drawn as an area"),
+            Self::Pattern => (
+                "pattern",
+                "of a line, or of too many tiles: left out; its area is drawn as an area",
+            ),
             Self::Paper => ("white shape", "left out, because the paper is white"),
+            Self::WhiteOnDark => (
+                "white shape on a darker one",
+                "its edge is not drawn; draw it with what.white_edges or what.hide",
+            ),
+            Self::WhiteUnknown => (
+                "white shape",
+                "among too many shapes to find what is under it: its edge, and those of later ones, are not drawn",
+            ),
             Self::Entangled => (
                 "filled shape",
                 "not hatched, because it crosses itself too often, or too many corners lie in clip paths",
@@ -98,13 +133,13 @@ impl WarningKind {
                 "foreignObject",
                 "left out with its text (HTML); use an option for SVG texts in the program that made the file",
             ),
-            Self::MovedByStyle => (
-                "CSS transform",
-                "not supported, drawn without it; save the file as plain SVG",
+            Self::PlainLabel => (
+                "label",
+                "in a foreignObject (HTML): drawn as plain text; check its place in the preview",
             ),
-            Self::SizedByStyle => (
-                "CSS size",
-                "of a shape, or its place: not supported, drawn by its attributes; save the file as plain SVG",
+            Self::MovedByStyle => (
+                "transform-box",
+                "not supported: transformed around a place on the page, not in the shape; save the file as plain SVG",
             ),
             Self::ClippedByStyle => (
                 "CSS clip-path",
@@ -114,15 +149,39 @@ impl WarningKind {
                 "shape",
                 "of another file (use): left out; copy it into this one",
             ),
-            Self::UnreadRule => (
+            Self::ExternalSheet => (
+                "style sheet",
+                "in another file: not read; copy its rules into a <style> element",
+            ),
+            Self::IgnoredRule => (
                 "CSS rule",
-                "ignored, because its selector is not supported or it contains other rules; save the file as plain SVG",
+                "ignored, because its selector or its at-rule is invalid or not supported; save the file as plain SVG",
+            ),
+            Self::IgnoredValue => (
+                "style value",
+                "ignored, because it is not one that its property allows, or not supported",
+            ),
+            Self::CommentLayer => ("layer", "with % before its name: left out, as by AxiDraw"),
+            Self::LayerCodes => (
+                "layer name",
+                "with a pause, speed, height or delay for AxiDraw (! +S +H +D): these are not read; set pens and speeds with what.layers and what.layer",
+            ),
+            Self::MissingTarget => (
+                "copy",
+                "(use) of an element that the file does not have: left out",
+            ),
+            Self::WidthZero => (
+                "line of width 0",
+                "left out as in a browser; set stroke-width above 0 to draw it",
             ),
             Self::UnreadSize => (
                 "page size",
                 "(width or height of <svg>) ignored, because it is not a length such as 200mm; the size is that of the viewBox or of the drawing, in pixels",
             ),
-            Self::SolidPath => ("dashed line", "with pathLength: drawn solid"),
+            Self::SolidPath => (
+                "dashed line",
+                "with pathLength and dashes in percent or em: drawn solid",
+            ),
             Self::TextWithoutFont => (
                 "text",
                 "left out, because no font was found; install a font or convert it to paths",

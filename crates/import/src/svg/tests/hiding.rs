@@ -174,7 +174,6 @@ fn a_translucent_fill_hides_nothing() {
         <pattern id="p" width="4" height="4" patternUnits="userSpaceOnUse"><circle r="1"/></pattern>"#;
     for over in [
         r#"fill="url(#g)""#,
-        r#"fill="url(#p)""#,
         r#"fill="red" style="mix-blend-mode:multiply""#,
     ] {
         let (strokes, _) = hidden(&format!(
@@ -182,4 +181,135 @@ fn a_translucent_fill_hides_nothing() {
         ));
         assert!((length_mm(&strokes) - (60.0 + 80.0)).abs() < 1e-3, "{over}");
     }
+    let hides = ReadOptions {
+        hides: true,
+        ..options()
+    };
+    let tiled = format!(
+        r#"{see_through}<path d="M0 10H60" stroke="red"/><rect x="20" y="0" width="20" height="20" fill="url(#p)"/>"#
+    );
+    // The line runs between the circles of its tiles.
+    let red = layer_lengths(&tiled, &hides)
+        .into_iter()
+        .find(|layer| layer.0 == "red");
+    assert_eq!(red, Some(("red".to_owned(), 60.0)));
+}
+
+/// The length of the lines of each layer.
+fn layer_lengths(content: &str, read_options: &ReadOptions) -> Vec<(String, f64)> {
+    let substitutes = super::super::Substitutes::default();
+    let (artwork, _) = super::super::draw(&page(content), read_options, &substitutes).unwrap();
+    let lengths = artwork
+        .layers
+        .into_iter()
+        .map(|layer| (layer.name, length_mm(&layer.strokes).round()));
+    lengths.collect()
+}
+
+const WHITE_ON_BLACK: &str = r##"<rect x="5" y="5" width="40" height="40"/><rect x="15" y="15" width="10" height="10" fill="#fff"/>"##;
+
+#[test]
+fn the_edge_of_a_white_shape_on_a_darker_one_is_drawn_in_the_colour_below() {
+    let hides = ReadOptions {
+        hides: true,
+        ..options()
+    };
+    let shown = ReadOptions {
+        white_edges: true,
+        ..options()
+    };
+    for read_options in [&hides, &shown] {
+        assert_eq!(
+            layer_lengths(WHITE_ON_BLACK, read_options),
+            [("black".to_owned(), 200.0)]
+        );
+    }
+    // Half of it lies on paper, and an edge on white is none.
+    let half = WHITE_ON_BLACK.replace(r#"x="15""#, r#"x="0""#);
+    assert_eq!(layer_lengths(&half, &shown)[0].1, 160.0 + 20.0);
+    let white = format!(
+        "{WHITE_ON_BLACK}{}",
+        r#"<rect x="17" y="17" width="3" height="3" fill="white"/>"#
+    );
+    assert_eq!(layer_lengths(&white, &hides), [("black".to_owned(), 200.0)]);
+    // Later shapes hide it, and without a darker fill there is nothing to show.
+    let covered = format!(
+        "{WHITE_ON_BLACK}{}",
+        r#"<rect x="10" y="10" width="20" height="20" fill="red"/>"#
+    );
+    assert_eq!(
+        layer_lengths(&covered, &hides),
+        [("black".to_owned(), 160.0), ("red".to_owned(), 80.0)]
+    );
+    let line = r##"<path d="M0 10H60" stroke="red"/><rect x="20" y="0" width="20" height="20" fill="#fff"/>"##;
+    assert_eq!(layer_lengths(line, &hides), [("red".to_owned(), 40.0)]);
+    // A translucent fill below, and one above.
+    let faint = WHITE_ON_BLACK.replace("40\"/>", "40\" fill-opacity=\".5\"/>");
+    assert_eq!(layer_lengths(&faint, &hides), [("black".to_owned(), 200.0)]);
+    let clipped = r#"<clipPath id="c"><rect x="0" y="0" width="20" height="50"/></clipPath>"#;
+    let clipped = format!(
+        "{clipped}{}",
+        WHITE_ON_BLACK.replace("10\" fill", "10\" clip-path=\"url(#c)\" fill")
+    );
+    assert_eq!(
+        layer_lengths(&clipped, &hides),
+        [("black".to_owned(), 160.0 + 30.0)]
+    );
+}
+
+#[test]
+fn white_shapes_on_darker_ones_are_counted_if_their_edges_are_not_drawn() {
+    let (strokes, warnings) = draw(&format!(
+        r#"<rect width="100" height="50" fill="white"/>{WHITE_ON_BLACK}"#
+    ));
+    assert_eq!(length_mm(&strokes).round(), 160.0);
+    let texts: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        texts,
+        [
+            "2 white shapes: left out, because the paper is white",
+            "1 white shape on a darker one: its edge is not drawn; draw it with what.white_edges or what.hide",
+        ]
+    );
+}
+
+#[test]
+fn the_edges_that_a_clip_path_cuts_into_a_shape_with_a_line_are_drawn() {
+    let clip = r#"<clipPath id="c"><rect x="30" y="0" width="40" height="60"/></clipPath>"#;
+    let shape = |paint: &str| {
+        format!(r#"{clip}<rect x="10" y="15" width="80" height="30" {paint} clip-path="url(#c)"/>"#)
+    };
+    let lengths = |paint: &str| layer_lengths(&shape(paint), &options());
+    assert_eq!(
+        lengths(r#"fill="orange" stroke="black""#),
+        [("orange".to_owned(), 60.0), ("black".to_owned(), 80.0)]
+    );
+    assert_eq!(
+        lengths(r#"fill="none" stroke="black""#),
+        [("black".to_owned(), 80.0)]
+    );
+    assert_eq!(
+        lengths(r#"fill="white" stroke="black""#),
+        [("black".to_owned(), 80.0)]
+    );
+    assert_eq!(lengths(r#"fill="orange""#), [("orange".to_owned(), 140.0)]);
+}
+
+#[test]
+fn very_many_white_shapes_on_darker_ones_spoil_nothing_else() {
+    let mut svg = r#"<clipPath id="c"><rect width="50" height="50"/></clipPath>"#.to_owned();
+    for i in 0..9_000_u32 {
+        let at = f64::from(i) * 1e-3;
+        write!(svg, r#"<rect x="{at}" y="{at}" width="20" height="20"/><rect x="{at}" y="{at}" width="9" height="9" fill="white"/>"#).unwrap();
+    }
+    svg += r#"<path d="M0 40H99" stroke="red" clip-path="url(#c)"/>"#;
+    let (strokes, warnings) = draw(&svg);
+    assert_eq!(strokes.len(), 9_001);
+    let texts: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    assert!(
+        texts
+            .iter()
+            .any(|text| text.contains("1 white shape: among too many shapes")),
+        "{texts:?}"
+    );
 }

@@ -75,6 +75,56 @@ fn line_widths_on_the_page_become_layers() {
 }
 
 #[test]
+fn a_line_width_on_the_page_is_that_of_its_dashes_too() {
+    let line = |attributes: &str| {
+        let (layers, warnings) = read_by(
+            LayersBy::Width,
+            &format!(
+                r#"<path transform="scale(4)" d="M0 1H5" fill="none" stroke="red" stroke-width="2" {attributes}/>"#
+            ),
+        );
+        assert_eq!(warnings, []);
+        let [layer] = &layers[..] else {
+            panic!("{layers:?}");
+        };
+        let dash = layer.strokes[0].length_mm();
+        (
+            layer.name.clone(),
+            layer.strokes.len(),
+            (dash * 100.0).round() / 100.0,
+        )
+    };
+    let found = |name: &str, strokes, dash_mm| (name.to_owned(), strokes, dash_mm);
+    assert_eq!(line(""), found("8 mm", 1, 20.0));
+    assert_eq!(line(r#"stroke-dasharray="2""#), found("8 mm", 2, 8.0));
+    let shares = r#"pathLength="4" stroke-dasharray="1""#;
+    assert_eq!(line(shares), found("8 mm", 2, 5.0));
+    let on_page = |more: &str| line(&format!(r#"vector-effect="non-scaling-stroke" {more}"#));
+    assert_eq!(on_page(""), found("0.53 mm", 1, 20.0));
+    // 2 px are 0.53 mm.
+    let dashed = on_page(r#"stroke-dasharray="2""#);
+    assert_eq!(dashed, found("0.53 mm", 19, 0.53));
+    assert_eq!(on_page(shares), found("0.53 mm", 2, 5.0));
+}
+
+#[test]
+fn edges_of_white_shapes_belong_to_the_fills() {
+    let options = ReadOptions {
+        layers: LayersBy::Width,
+        white_edges: true,
+        ..ReadOptions::default()
+    };
+    let content = r#"<rect x="5" y="5" width="20" height="20"/>
+        <path d="M5 40H9" stroke="red" stroke-width="0.5"/>
+        <rect x="10" y="10" width="5" height="5" fill="white"/>"#;
+    let (artwork, _) = read(&page(content), &options).unwrap();
+    assert_eq!(
+        contents(&artwork.layers),
+        [("fills", 2, 1), ("0.5 mm", 1, 0)]
+    );
+}
+
+#[test]
 fn a_fill_gives_an_area_of_its_own_colour_in_addition_to_the_outline() {
     let (layers, _) = read_by(
         LayersBy::Color,
@@ -144,16 +194,17 @@ fn areas_are_cut_by_the_page_and_by_clip_paths() {
 }
 
 #[test]
-fn gradients_count_as_their_first_colour_and_patterns_as_none() {
+fn gradients_count_as_their_first_colour_and_patterns_are_drawn() {
     let (layers, warnings) = read_by(
         LayersBy::Color,
         r#"<linearGradient id="g"><stop stop-color="navy"/><stop offset="1"/></linearGradient>
         <pattern id="p" width="2" height="2" patternUnits="userSpaceOnUse"><path d="M0 0H1" stroke="red"/></pattern>
         <rect width="9" height="9" fill="url(#g)"/><rect width="9" height="9" fill="url(#p)"/>"#,
     );
-    assert_eq!(contents(&layers), [("navy", 1, 1), ("pattern", 1, 1)]);
-    assert_eq!(layers[1].color, None);
-    assert_eq!(warnings.len(), 2);
+    // The pattern has lines of its own: 5 rows of 5 tiles, the last of which is half a tile.
+    assert_eq!(contents(&layers), [("navy", 1, 1), ("red", 25, 0)]);
+    assert_eq!(layers[1].color, Some([255, 0, 0]));
+    assert_eq!(warnings.len(), 1);
 }
 
 #[test]
