@@ -165,6 +165,7 @@ answer = "no"
     let up = Up::new(&[]);
     let text = std::fs::read_to_string(file.path()).expect("it was written");
     let api = Api::with_control(&up.page);
+    api.wait_for_state(|state| state["arm"].is_object());
     let job = api.asks("POST", "programs/jobs", &json!({"program": {"text": text}}));
     let job = job["job"]["job"].as_u64().expect("a number").to_string();
     api.asks("POST", &format!("jobs/{job}/start"), &Value::Null);
