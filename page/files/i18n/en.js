@@ -801,6 +801,8 @@ export const en = {
   "problem.no-connection": "The station cannot be reached at the moment. The page reconnects automatically; then try again.",
   "problem.no-fleet": "This station is not part of a fleet.",
   "problem.no-job-runs": "No job is running.",
+  "problem.no-question": "The program does not wait for an answer now.",
+  "problem.bad-answer": "The program cannot continue with this: {detail}.",
   "problem.no-lease": "You do not have control.",
   "problem.no-link": "No arm is connected. See Set up.",
   "problem.no-such-arm": "This virtual arm has ended.",

@@ -802,6 +802,8 @@ export const zh = {
   "problem.no-connection": "暂时无法连接控制站。页面会自动重新连接；之后请重试。",
   "problem.no-fleet": "此控制站不属于任何机群。",
   "problem.no-job-runs": "没有正在运行的任务。",
+  "problem.no-question": "程序现在不等待回答。",
+  "problem.bad-answer": "程序无法以此继续：{detail}。",
   "problem.no-lease": "你没有控制权。",
   "problem.no-link": "未连接机械臂。请查看“设置”。",
   "problem.no-such-arm": "此虚拟机械臂已结束。",
