@@ -4211,7 +4211,7 @@ export interface components {
              * @description The time to hold or release the object, 0 to 60 seconds; default 0.3.
              */
             settle?: number | null;
-            /** @description What `pick` does if nothing was picked up, as a person or a camera tells. */
+            /** @description What `pick` does if nothing was picked up, as a person or a camera reports. */
             on_missed?: components["schemas"]["Missed"] | null;
         };
         /** @description A place: the name of a point or of a grid (for its current cell), or a point itself. */
@@ -4460,7 +4460,7 @@ export interface components {
              * @description The time to hold or release the object, 0 to 60 seconds; default 0.3.
              */
             settle?: number | null;
-            /** @description What `pick` does if nothing was picked up, as a person or a camera tells. */
+            /** @description What `pick` does if nothing was picked up, as a person or a camera reports. */
             on_missed?: components["schemas"]["Missed"] | null;
         };
         /**

@@ -18,6 +18,7 @@ use serde_json::{Map, Value};
 pub(crate) struct DrawingOptions(pub(crate) Options);
 
 /// Returns the arguments in the order of the help.
+#[expect(clippy::too_many_lines, reason = "a table")]
 fn rows() -> Vec<Row> {
     // table
     let source = vec![

@@ -165,7 +165,7 @@ mod tests {
         };
         let answer = parse(&question, " BLUE\n");
         assert_eq!(answer, Ok(Answer::Choice("Blue".into())));
-        let refused = parse(&question, "").unwrap_err();
+        let refused = parse(&question, "").expect_err("it is no answer");
         assert_eq!(refused, "the answer is \"\"; allowed: red, Blue");
     }
 
@@ -186,7 +186,7 @@ mod tests {
         assert_eq!(parse(&question, "200 -5.5 0\n"), Ok(place(0.0)));
         assert_eq!(parse(&question, "200 -5.5 0 30"), Ok(place(30.0)));
         for wrong in ["", "200 0", "200,0,0", "1 2 3 4 5", "here"] {
-            parse(&question, wrong).unwrap_err();
+            parse(&question, wrong).expect_err("it is no position");
         }
     }
 }

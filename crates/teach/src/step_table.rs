@@ -120,7 +120,7 @@ pub(crate) struct StepTable {
     /// The time to hold or release the object, 0 to 60 seconds; default 0.3.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
     settle: Option<f64>,
-    /// What `pick` does if nothing was picked up, as a person or a camera tells.
+    /// What `pick` does if nothing was picked up, as a person or a camera reports.
     #[serde(skip_serializing_if = "Option::is_none")]
     on_missed: Option<Missed>,
 }

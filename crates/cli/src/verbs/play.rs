@@ -132,8 +132,8 @@ impl Planned {
             return Err(anyhow!("{file} has {count}:\n{}", problems.join("\n")).into());
         }
         Ok(Self {
-            job,
             compiled,
+            job,
             dry_run,
         })
     }

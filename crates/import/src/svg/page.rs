@@ -166,8 +166,14 @@ impl SvgPage {
             return Ok(Vec::new());
         };
         let work = &mut self.white_work;
-        let Some(filled) = FilledArea::new(outlines, transform, fill.rule, clips, work)? else {
-            return Ok(Vec::new());
+        let filled = match FilledArea::new(outlines, transform, fill.rule, clips, work) {
+            Ok(Some(filled)) => filled,
+            Ok(None) => return Ok(Vec::new()),
+            // What is drawn has limits of its own.
+            Err(_) => {
+                self.stop_tracking()?;
+                return Ok(Vec::new());
+            }
         };
         let shown = filled.shown.unwrap_or_else(|| filled.whole.clone());
         let mut edges = outlines_of(shown);
