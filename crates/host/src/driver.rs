@@ -14,7 +14,7 @@ use dobot_api::{
 use dobot_motion::Model;
 use dobot_safety::Policy;
 use dobot_session::{Link, LinkError};
-use dobot_supervisor::{Effect, Refusal, StoppedBy, Supervisor};
+use dobot_supervisor::{Effect, Refusal, StartedJob, StoppedBy, Supervisor};
 use dobot_wire::{Dialect, Packet};
 use tokio::runtime::Handle;
 use tokio::sync::{mpsc, oneshot};
@@ -423,17 +423,7 @@ impl Driver {
                 let answer = self.supervisor.handle_start(now, client, *started);
                 let _ = reply.send(answer);
             }
-            Message::Answered { longer, reply } => {
-                self.is_answering = false;
-                let answer =
-                    longer.and_then(|longer| self.supervisor.handle_answered(now, *longer));
-                match (reply, answer) {
-                    // The requester may have left.
-                    (Some(reply), answer) => drop(reply.send(answer)),
-                    (None, Err(refusal)) => self.supervisor.handle_bad_answer(now, &refusal),
-                    (None, Ok(_)) => {}
-                }
-            }
+            Message::Answered { longer, reply } => self.handle_answered(now, longer, reply),
             Message::Jobs(reply) => self.jobs.clone().list(self.supervisor.job(), reply),
             Message::Policy {
                 client,
@@ -644,6 +634,23 @@ impl Driver {
                 let own = self.own.clone();
                 self.jobs.clone().answer_question(given, model, reply, own);
             }
+        }
+    }
+
+    /// Handles the longer program that follows an answer, or why there is none.
+    fn handle_answered(
+        &mut self,
+        now: Duration,
+        longer: Result<Box<StartedJob>, Refusal>,
+        reply: Option<oneshot::Sender<Result<Reply, Refusal>>>,
+    ) {
+        self.is_answering = false;
+        let answer = longer.and_then(|longer| self.supervisor.handle_answered(now, *longer));
+        match (reply, answer) {
+            // The requester may have left.
+            (Some(reply), answer) => drop(reply.send(answer)),
+            (None, Err(refusal)) => self.supervisor.handle_bad_answer(now, &refusal),
+            (None, Ok(_)) => {}
         }
     }
 

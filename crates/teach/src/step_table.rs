@@ -344,6 +344,7 @@ impl StepTable {
 
 impl From<Action> for StepTable {
     fn from(action: Action) -> Self {
+        // table
         let empty = Self::default();
         match action {
             Action::Go(Go {

@@ -311,8 +311,8 @@ fn common_mistakes_are_shown_with_the_correct_line() {
             "line 2: speed needs a table; write speed = { percent = 50 } | line 6: drawing needs a table; write drawing = { file = \"a.svg\", pen_down = HEIGHT }, with the height of the wrist in mm",
         ),
         (
-            "[[steps]]\ngo = { x = 200, y = 0, z = 30 }\npth = \"movl\"\n[[steps]]\nchoos = \"x\"\n",
-            "line 3: the key `pth` is unknown; did you mean `path`? | line 5: the key `choos` is unknown; did you mean `choose`?",
+            "[[steps]]\ngo = { x = 200, y = 0, z = 30 }\npth = \"movl\"\n[[steps]]\nchoice = \"x\"\n",
+            "line 3: the key `pth` is unknown; did you mean `path`? | line 5: the key `choice` is unknown; did you mean `choose`?",
         ),
         (
             "[points]\nhome = { x = 200, y = 0, z = 30 }\n[[steps]]\ngo = \"hoem\"\n[[steps]]\ngo = \"home\"\n",

@@ -25,7 +25,7 @@ use crate::http::exchange::responses::{
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
-    [kept(), carried_out()].concat()
+    [kept(), carried_out(), answered()].concat()
 }
 
 /// Routes for the list of jobs.
@@ -102,6 +102,32 @@ fn kept() -> Vec<Route> {
     ]
 }
 
+/// Routes for the questions of a running program.
+fn answered() -> Vec<Route> {
+    vec![
+        Route::new(
+            POST,
+            "/api/v1/jobs/{id}/answer",
+            "Answers the question of the running program, which continues with the steps of the answer",
+            answer,
+        )
+        .brings::<Body<ChosenAnswer>>()
+        .example(r#"{"answer": "red"}"#)
+        .gives::<Reply>(200, "the program continues")
+        .problems(&[MALFORMED, NO_SUCH_JOB, NO_QUESTION, BAD_ANSWER, JOURNAL]),
+        Route::new(
+            PUT,
+            "/api/v1/jobs/{id}/places/{name}",
+            "Gives the running program the position that it waits for, if the policy allows it",
+            give_place,
+        )
+        .brings::<Body<GivenPlace>>()
+        .example(r#"{"x_mm": 200, "y_mm": 50, "z_mm": -20}"#)
+        .gives::<Reply>(200, "the program continues")
+        .problems(&[MALFORMED, NO_SUCH_JOB, NO_QUESTION, BAD_ANSWER, JOURNAL]),
+    ]
+}
+
 /// An answer to the question of a job.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -151,26 +177,6 @@ fn carried_out() -> Vec<Route> {
             NEEDS_PERSON,
             JOURNAL,
         ]),
-        Route::new(
-            POST,
-            "/api/v1/jobs/{id}/answer",
-            "Answers the question of the running program, which continues with the steps of the answer",
-            answer,
-        )
-        .brings::<Body<ChosenAnswer>>()
-        .example(r#"{"answer": "red"}"#)
-        .gives::<Reply>(200, "the program continues")
-        .problems(&[MALFORMED, NO_SUCH_JOB, NO_QUESTION, BAD_ANSWER, JOURNAL]),
-        Route::new(
-            PUT,
-            "/api/v1/jobs/{id}/places/{name}",
-            "Gives the running program the position that it waits for, if the policy allows it",
-            give_place,
-        )
-        .brings::<Body<GivenPlace>>()
-        .example(r#"{"x_mm": 200, "y_mm": 50, "z_mm": -20}"#)
-        .gives::<Reply>(200, "the program continues")
-        .problems(&[MALFORMED, NO_SUCH_JOB, NO_QUESTION, BAD_ANSWER, JOURNAL]),
         Route::asks(
             POST,
             "/api/v1/jobs/{id}/confirm",
