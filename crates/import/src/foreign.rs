@@ -120,7 +120,7 @@ fn is_media(start: &[u8], brands: &[&[u8]]) -> bool {
 fn is_html(start: &[u8]) -> bool {
     let text = String::from_utf8_lossy(start).to_ascii_lowercase();
     let text = text.trim_start_matches('\u{FEFF}').trim_start();
-    let is_end = |c: char| c == '>' || c.is_whitespace();
+    let is_end = |c: char| matches!(c, '>' | '/') || c.is_whitespace();
     let tag = |mark: &&str| {
         let mut found = text.match_indices(mark);
         let whole = found.find(|(at, _)| text[at + mark.len()..].starts_with(is_end));
@@ -144,6 +144,7 @@ mod tests {
             "<!DOCTYPE html><html>",
             "\u{feff}\n<HTML lang='en'><br>",
             "<html></html>",
+            "<html/>",
         ] {
             let error = refuse_foreign(page.as_bytes()).expect_err("a web page");
             assert!(error.to_string().contains("an HTML page"), "{error}");

@@ -91,7 +91,7 @@ enum Action {
         answer: Option<String>,
         /// Position of the tool's tip, in mm, and its rotation, in degrees (default: 0)
         #[arg(long, num_args = 3..=4, value_names = ["X", "Y", "Z", "ROTATION"], conflicts_with = "answer", allow_negative_numbers = true, value_parser = values::finite)]
-        at: Option<Vec<f64>>,
+        at: Option<Vec<f32>>,
         #[command(flatten)]
         person: Person,
     },
@@ -239,7 +239,7 @@ async fn act(station: &mut StationClient, args: &Args, action: Action) -> Result
             at,
             person,
         } => {
-            let numbers: Vec<String> = at.iter().flatten().map(f64::to_string).collect();
+            let numbers: Vec<String> = at.iter().flatten().map(f32::to_string).collect();
             let text = answer.unwrap_or_else(|| numbers.join(" "));
             let answer = person.answer(station, job, &text).await?;
             (
