@@ -731,14 +731,17 @@ fn each_bad_drawing_is_one_clear_error() {
             &["found an HTML page", "download it again"],
         ),
         (page(""), &["error: standard input: ", "nothing"]),
-        (
-            page(r#"<path d="M0 0 L10 10 L NaN 5 L20 20" stroke="red"/>"#),
-            &["NaN", "1:"],
-        ),
     ] {
         let outcome = dobot_reading(&["draw", "-"], svg.as_bytes()).fails(1, parts);
         assert_eq!(outcome.stdout, "", "{svg}");
     }
+    // A path is drawn up to its mistake, unless that is to be refused.
+    let bad = page(r#"<path d="M0 0 L10 10 L NaN 5 L20 20" stroke="red"/>"#);
+    let drawn = dobot_reading(&["draw", "-", "--json"], bad.as_bytes()).succeeds();
+    let drawn_mm = number(&report(&drawn.stdout), "drawn_mm");
+    assert!((drawn_mm - 200.0_f64.sqrt()).abs() < 0.1, "{drawn_mm}");
+    assert!(drawn.stderr.contains("NaN"), "{}", drawn.stderr);
+    dobot_reading(&["draw", "-", "--strict"], bad.as_bytes()).fails(1, &["NaN", "1:"]);
     dobot(&["draw", "no-such-file.svg"]).fails(1, &["no-such-file.svg", "hint:"]);
     let program = tempfile::Builder::new().suffix(".toml").tempfile();
     let program = program.expect("there is room");
