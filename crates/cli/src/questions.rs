@@ -112,8 +112,9 @@ impl Questions {
             }
             Err(reason) => Err(reason),
         };
-        if let Err(reason) = sent {
-            bar.suspend(|| eprintln!("{reason}"));
+        match sent {
+            Ok(()) => self.asked = None,
+            Err(reason) => bar.suspend(|| eprintln!("{reason}")),
         }
     }
 }

@@ -6,7 +6,8 @@ use serde_json::{Value, json};
 use tempfile::TempDir;
 
 use crate::support::api::Api;
-use crate::support::program::{dobot, example};
+use crate::support::program::{command, dobot, example};
+use crate::support::terminal::Terminal;
 use crate::support::up::Up;
 
 const CARRY: &str = r#"
@@ -200,6 +201,30 @@ answer = "no"
     api.wait_for_state(|state| state["job"].is_null());
     let listed = up.dobot(&["jobs"]).succeeds().stdout;
     assert!(listed.contains("done"), "{listed}");
+}
+
+#[test]
+fn a_person_answers_the_questions_of_a_program_in_the_terminal() {
+    for station in [None, Some(Up::new(&[]))] {
+        let program = example("../programs/sorting.toml");
+        let to = match &station {
+            None => vec!["--to", "virtual:"],
+            Some(up) => vec!["--station", &up.page],
+        };
+        let play = [&["play", &program, "--pose-confirmed"], &to[..]].concat();
+        let mut terminal = Terminal::with_errors(&command(&play));
+        terminal.shows("asks: Which colour is next? (red, yellow, blue, none)");
+        terminal.types("green\r");
+        terminal.shows("the answer is \"green\"; allowed: red, yellow, blue, none");
+        for answer in ["red\r", "Blue\r", "none\r"] {
+            terminal.types(answer);
+            if answer != "none\r" {
+                terminal.shows("asks: Which colour is next?");
+            }
+        }
+        terminal.shows("sort by colour is done");
+        assert!(terminal.ends().success());
+    }
 }
 
 #[test]
