@@ -307,11 +307,11 @@ def run(
     pending = arm._core.run(program._taught, count, from_step, ask is not None)
 
     def report(*part: Any) -> None:
-        if len(part) > 1:
-            if progress is not None:
-                progress(*part)
-        elif ask is not None:
-            pending.answer(*_answer(ask(Question._of(part[0]))))
+        if len(part) == 1:
+            if ask is not None:
+                pending.answer(*_answer(ask(Question._of(part[0]))))
+        elif progress is not None:
+            progress(*part)
 
     return Operation(pending, _nothing, report)
 

@@ -237,7 +237,7 @@ def test_a_function_answers_the_questions_of_a_program() -> None:
 
 def test_a_coroutine_runs_a_program_that_asks() -> None:
     async def main() -> None:
-        async with dobot.aconnect("virtual:") as arm:
+        async with await dobot.aconnect("virtual:") as arm:
             await arm.run(dobot.program(text=SORT), progress=None, ask=seen)
             assert abs((await arm.status()).y_mm - 80) < 0.5
 
