@@ -4509,7 +4509,7 @@ export interface components {
         /** @description What to do if nothing was picked up. */
         Missed: {
             /**
-             * @description Who can tell: `person` (default) or `seen`, a camera or another program.
+             * @description Who reports it: `person` (default) or `seen`, a camera or another program.
              * @default person
              */
             by: components["schemas"]["AnsweredBy"];

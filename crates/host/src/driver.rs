@@ -60,7 +60,7 @@ pub(crate) struct Driver {
     waiting: HashMap<ClientId, oneshot::Sender<Result<Reply, Refusal>>>,
     /// A start that waits until its job has come to rest.
     held_start: Option<DeferredStart>,
-    /// Whether an answer to the question of the job is being worked out.
+    /// Whether an answer to the question of the job is being processed.
     is_answering: bool,
     /// For tasks that send messages to the driver.
     own: mpsc::Sender<Message>,

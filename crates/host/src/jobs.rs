@@ -218,7 +218,12 @@ impl Jobs {
     ) {
         tokio::task::spawn_blocking(move || {
             self.catch_up();
-            let longer = extended(&self.journal, &self.policy, given, model).map(Box::new);
+            let extend = || extended(&self.journal, &self.policy, given, model).map(Box::new);
+            // The driver waits for this message before it takes another answer.
+            let longer = catch_unwind(AssertUnwindSafe(extend)).unwrap_or_else(|_| {
+                let why = "an internal error; the log has its place".to_owned();
+                Err(Refusal::BadAnswer(why))
+            });
             // A driver that ends drops the message, and with it the reply.
             let _ = driver.blocking_send(Message::Answered { longer, reply });
         });
@@ -460,10 +465,11 @@ pub(crate) fn extended(
     let asking = asking.ok_or(Refusal::NoQuestion(given.job))?;
     let longer = dobot_teach::continued(asking, given.answer, &job.calibration)
         .map_err(|error| Refusal::BadAnswer(error.to_string()))?;
-    check_new(&NewJob {
+    let longer = NewJob {
         title: job.title.clone(),
-        ..longer.clone()
-    })?;
+        ..longer
+    };
+    check_new(&longer)?;
     let extension = JobExtension {
         commands: longer.commands,
         pauses: longer.pauses,

@@ -121,7 +121,7 @@ pub struct Transfer {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Missed {
-    /// Who can tell: `person` (default) or `seen`, a camera or another program.
+    /// Who reports it: `person` (default) or `seen`, a camera or another program.
     #[serde(default)]
     pub by: AnsweredBy,
     /// How often to try again before the steps, 0 to 100; default 0.
