@@ -111,6 +111,20 @@ pub struct GivenPlace {
     pub rotation_deg: f64,
 }
 
+impl Question {
+    /// Returns whether only a person may answer it.
+    #[must_use]
+    pub const fn is_for_person(&self) -> bool {
+        matches!(
+            self,
+            Self::Choice {
+                by: AnsweredBy::Person,
+                ..
+            }
+        )
+    }
+}
+
 impl PendingQuestion {
     /// Checks that an answer fits the question.
     ///

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use dobot_api::{AnsweredBy, JobPhase, JobView, Question};
+use dobot_api::{JobPhase, JobView};
 
 use crate::refused::Refused;
 
@@ -48,14 +48,8 @@ impl OwnJobs {
     pub(crate) fn check_may_answer(&self, agent: &str, job: &JobView) -> Result<(), Refused> {
         let jobs = self.lock();
         let is_own = jobs.get(&job.job).is_some_and(|own| own.agent == agent);
-        let question = job.question.as_ref().map(|pending| &pending.question);
-        let is_for_person = matches!(
-            question,
-            Some(Question::Choice {
-                by: AnsweredBy::Person,
-                ..
-            })
-        );
+        let pending = job.question.as_ref();
+        let is_for_person = pending.is_some_and(|pending| pending.question.is_for_person());
         let why = match (is_own, is_for_person) {
             (false, _) => "another client queued it",
             (true, true) => "its question is for a person",

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use anyhow::{Context, anyhow};
 use clap::Subcommand;
-use dobot_api::{Answer, AnsweredBy, JobPhase, JobView, NewJob, Question, Reply, Request, Role};
+use dobot_api::{Answer, JobPhase, JobView, NewJob, Reply, Request, Role};
 use dobot_host::StationClient;
 
 use crate::connect::To;
@@ -171,14 +171,7 @@ impl Person {
                 "run `dobot jobs` to list the jobs and their questions",
             ));
         };
-        let is_for_person = matches!(
-            pending.question,
-            Question::Choice {
-                by: AnsweredBy::Person,
-                ..
-            }
-        );
-        if is_for_person && !self.is_there(station) {
+        if pending.question.is_for_person() && !self.is_there(station) {
             return Err(Failure::new(
                 anyhow!("only a person may answer: {}", pending.question),
                 "answer in a terminal, on the page, or as an administrator with --as-person",
