@@ -123,7 +123,43 @@ impl State {
             clients: 1,
         }
     }
+
+    /// Returns the state without what changes all the time: the arm's status, clocks, remaining times and link figures.
+    /// Two states that are equal without them differ only in readings.
+    #[must_use]
+    pub fn without_readings(&self) -> Self {
+        let mut state = self.clone();
+        state.at_s = 0.0;
+        state.link.statuses_per_s = 0.0;
+        state.link.lost_statuses = 0;
+        state.link.damaged_bytes = 0;
+        state.link.latency_ms = None;
+        state.queue.ahead_s = 0.0;
+        state.laser.armed_for_s = state.laser.armed_for_s.signum().max(0.0);
+        if let Some(arm) = &mut state.arm {
+            arm.status = NO_STATUS;
+            arm.near = NearView::default();
+        }
+        if let Some(job) = &mut state.job {
+            job.left_s = None;
+        }
+        state
+    }
 }
+
+/// In the place of a status that does not count.
+const NO_STATUS: Status = Status {
+    x_mm: 0.0,
+    y_mm: 0.0,
+    z_mm: 0.0,
+    rotation_deg: 0.0,
+    base_deg: 0.0,
+    rear_deg: 0.0,
+    fore_deg: 0.0,
+    servo_deg: 0.0,
+    suction: false,
+    gripper_deg: 0.0,
+};
 
 /// The link to the arm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

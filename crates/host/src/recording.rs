@@ -3,13 +3,13 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use dobot_api::{Folders, NearView, Notice, State, make_private};
+use dobot_api::{Folders, Notice, State, make_private};
 use dobot_arm::{Millimeters, Tool};
 use dobot_model::MountedTool;
 use dobot_record::{About, Limits, Record, Recorder, Topic};
 use dobot_safety::Policy;
 use dobot_session::Address;
-use dobot_wire::{Dialect, Status};
+use dobot_wire::Dialect;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
@@ -69,13 +69,13 @@ impl Recording {
             let about = Box::new(self.about.clone());
             self.record(at, || Record::About(about));
         }
-        if self.recorder.is_some() && self.is_worth_telling(at, state) {
+        if self.recorder.is_some() && self.is_worth_recording(at, state) {
             self.recorded = Some((at, state.clone()));
             self.json(at, &self.states, state);
         }
     }
 
-    fn is_worth_telling(&self, at: Duration, state: &State) -> bool {
+    fn is_worth_recording(&self, at: Duration, state: &State) -> bool {
         let Some((recorded_at, recorded)) = &self.recorded else {
             return true;
         };
@@ -83,7 +83,7 @@ impl Recording {
         if is_due {
             recorded != state
         } else {
-            essence(recorded) != essence(state)
+            recorded.without_readings() != state.without_readings()
         }
     }
 
@@ -137,31 +137,6 @@ impl Recording {
             recorder.record(at, record());
         }
     }
-}
-
-/// Returns a state without the arm's status (which is recorded as received), clocks and link
-/// figures.
-fn essence(state: &State) -> State {
-    let mut state = state.clone();
-    state.at_s = 0.0;
-    state.link.statuses_per_s = 0.0;
-    state.link.lost_statuses = 0;
-    state.link.damaged_bytes = 0;
-    state.link.latency_ms = None;
-    state.queue.ahead_s = 0.0;
-    state.laser.armed_for_s = if state.laser.armed_for_s > 0.0 {
-        1.0
-    } else {
-        0.0
-    };
-    if let Some(arm) = &mut state.arm {
-        arm.status = REST;
-        arm.near = NearView::default();
-    }
-    if let Some(job) = &mut state.job {
-        job.left_s = None;
-    }
-    state
 }
 
 /// Starts a recording, or returns why it cannot.
@@ -220,20 +195,6 @@ fn topic<T: JsonSchema>(name: &str, schema_name: &str) -> Arc<Topic> {
     let topic = Topic::new(name, schema_name, schema.as_value());
     Arc::new(topic.expect("our types are objects, and our topics begin with a slash"))
 }
-
-/// Any status.
-const REST: Status = Status {
-    x_mm: 0.0,
-    y_mm: 0.0,
-    z_mm: 0.0,
-    rotation_deg: 0.0,
-    base_deg: 0.0,
-    rear_deg: 0.0,
-    fore_deg: 0.0,
-    servo_deg: 0.0,
-    suction: false,
-    gripper_deg: 0.0,
-};
 
 /// The interval of recording states without news.
 const STATE_PERIOD: Duration = Duration::from_secs(10);

@@ -1,8 +1,6 @@
 //! A sample state, job and notice for tests.
 
-use dobot_api::{
-    ArmView, JobKind, JobPhase, JobView, LinkView, NearView, News, Notice, QueueView, State,
-};
+use dobot_api::{ArmView, JobKind, JobPhase, JobView, LinkView, News, Notice, QueueView, State};
 use dobot_wire::{Dialect, Status};
 
 /// A running drawing.
@@ -37,9 +35,7 @@ pub(crate) fn state(at_s: f64) -> State {
             latency_ms: Some(84.0),
             ..sample.link
         },
-        arm: Some(ArmView {
-            raw: None,
-            touch_refused: None,
+        arm: sample.arm.map(|arm| ArmView {
             status: Status {
                 x_mm: 200.0,
                 y_mm: -31.5,
@@ -53,7 +49,7 @@ pub(crate) fn state(at_s: f64) -> State {
                 gripper_deg: 12.0,
             },
             moving: true,
-            near: NearView::default(),
+            ..arm
         }),
         dialect: Some(Dialect::FIRMWARE_1_1),
         queue: QueueView {

@@ -19,8 +19,8 @@ pub(crate) fn draw(frame: &mut Frame, pendant: &Pendant) {
     let rows = [
         Constraint::Length(1),
         Constraint::Length(1),
-        Constraint::Length(6),
-        Constraint::Length(6),
+        Constraint::Length(panels::PANEL_ROWS),
+        Constraint::Length(panels::PANEL_ROWS),
         Constraint::Min(0),
         Constraint::Length(2),
     ];

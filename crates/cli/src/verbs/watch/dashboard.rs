@@ -59,8 +59,8 @@ pub(crate) fn draw(frame: &mut Frame, view: &View) {
     let rows = [
         Constraint::Length(1),
         Constraint::Length(alarm.rows(frame.area().width)),
-        Constraint::Length(6),
-        Constraint::Length(6),
+        Constraint::Length(panels::PANEL_ROWS),
+        Constraint::Length(panels::PANEL_ROWS),
         Constraint::Length(4),
         Constraint::Min(0),
         Constraint::Length(1),

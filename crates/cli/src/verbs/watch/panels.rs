@@ -24,12 +24,18 @@ pub(crate) fn arm(frame: &mut Frame, area: Rect, state: &State) {
     panel(frame, joints, "joints", lines);
 }
 
+/// The lines of the panel of the station.
+const STATION_LINES: usize = 4;
+/// The height of `arm` and of `rest` with their frames, in rows.
+#[expect(clippy::cast_possible_truncation, reason = "a handful of lines")]
+pub(crate) const PANEL_ROWS: u16 = STATION_LINES as u16 + 2;
+
 /// Tool, link and queue.
 pub(crate) fn rest(frame: &mut Frame, area: Rect, state: &State) {
     let halves = [Constraint::Length(24), Constraint::Min(0)];
     let [tool, station] = Layout::horizontal(halves).areas(area);
     panel(frame, tool, "tool", tool_lines(state));
-    panel(frame, station, "station", station_lines(state));
+    panel(frame, station, "station", station_lines(state).to_vec());
 }
 
 /// The job and its progress.
@@ -183,12 +189,12 @@ fn tool_lines(state: &State) -> Vec<Line<'static>> {
     lines
 }
 
-fn station_lines(state: &State) -> Vec<Line<'static>> {
+fn station_lines(state: &State) -> [Line<'static>; STATION_LINES] {
     let link = &state.link;
     let latency = link.latency_ms.map(|ms| format!(", {ms:.0} ms"));
     let queue = &state.queue;
     let fact = |name: &'static str, text: String| Line::from(vec![name.dim(), text.into()]);
-    vec![
+    [
         fact("control ", control(state)),
         fact(
             "queue   ",
