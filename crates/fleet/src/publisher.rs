@@ -185,6 +185,8 @@ mod tests {
             state: Some(Box::new(State {
                 stop: Some(StopView {
                     by: "An\u{1b}[2Jna".into(),
+                    device: None,
+                    client: None,
                     reason: Some("\u{202e}fire".into()),
                     at_s: 1.3,
                     rests_by_s: 1.4,
@@ -245,6 +247,8 @@ mod tests {
         let stopped = State {
             stop: Some(StopView {
                 by: "Anna".into(),
+                device: None,
+                client: None,
                 reason: None,
                 at_s: 1.3,
                 rests_by_s: 1.4,
