@@ -161,7 +161,11 @@ const FETCH_MODE: HeaderName = HeaderName::from_static("sec-fetch-mode");
 /// Returns the caller, by its token or by the default role.
 fn identify(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Problem> {
     let anyone = |role| Caller {
-        name: if peer.by_fleet { "fleet" } else { "http" }.into(),
+        name: if peer.by_fleet {
+            "fleet".to_owned()
+        } else {
+            program_from(peer.from.ip())
+        },
         role,
         is_person: false,
         token: None,
@@ -182,6 +186,14 @@ fn identify(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Problem
         },
         None if is_open(request) || peer.by_fleet => Ok(anyone(Role::Watch)),
         None => app.without_token.map(anyone).ok_or_else(no_token),
+    }
+}
+
+/// Returns the name of a program that gives none.
+pub(crate) fn program_from(address: IpAddr) -> String {
+    match address.to_canonical() {
+        address if address.is_loopback() => "a program on this computer".to_owned(),
+        address => format!("a program from {address}"),
     }
 }
 
