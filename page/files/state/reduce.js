@@ -42,7 +42,7 @@ export function reduce(page, message) {
 function reduceOwn(page, message) {
   switch (message.type) {
     case "hello":
-      return { ...page, connection: "open", me: message.client, role: message.role, person: message.person, says_name: message.says_name, version: message.version, received_ms: message.now_ms, now_ms: message.now_ms, around: null, planned: null };
+      return { ...page, connection: "open", me: message.client, role: message.role, person: message.person, says_name: message.says_name, version: message.version, fleet: message.fleet, received_ms: message.now_ms, now_ms: message.now_ms, around: null, planned: null };
     case "state":
       return { ...page, station: message.station, late_stop: page.station?.stop && !message.station.stop ? unanswered(page) : page.late_stop, received_ms: message.now_ms, now_ms: message.now_ms };
     case "notices":
@@ -67,8 +67,6 @@ function reduceOwn(page, message) {
       return { ...page, problem: message.problem };
     case "problem_closed":
       return { ...page, problem: null };
-    case "fleet":
-      return { ...page, fleet: message.name };
     case "message_closed":
       return { ...page, message: null };
     case "question":
@@ -93,6 +91,8 @@ function reduceOwn(page, message) {
       return { ...page, flattened: true };
     case "greeted":
       return { ...page, greeted: true };
+    case "name":
+      return { ...page, name: message.name };
     case "tab":
       return { ...page, tab: message.tab };
     case "language":

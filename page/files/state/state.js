@@ -35,6 +35,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {boolean} is_token_unknown Whether the station does not know the token of this page.
  * @property {number | null} me The station's number for this client.
  * @property {Role | null} role
+ * @property {string | null} name The name of the person at this page; empty for none, null if nobody was asked.
  * @property {string} person By which name time slots know this page.
  * @property {boolean} says_name Whether that name is the page's own; a personal token sets it to the token's name.
  * @property {string} version
@@ -75,12 +76,13 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {Theme} theme
  */
 
-/** @param {{ language: Language, theme: Theme, greeted: boolean, program: string }} wish @returns {Page} */
-export const begin = ({ language, theme, greeted, program }) => ({
+/** @param {{ language: Language, theme: Theme, greeted: boolean, program: string, name?: string | null }} wish @returns {Page} */
+export const begin = ({ language, theme, greeted, program, name = null }) => ({
   connection: "connecting",
   is_token_unknown: false,
   me: null,
   role: null,
+  name,
   person: "",
   says_name: false,
   version: "",
