@@ -36,8 +36,9 @@ const isStillMoving = (problem) => problem?.type?.endsWith("/still-moving") ?? f
  * @param {import("./station/lessons.js").Lessons} outside.lessons
  * @param {import("./station/jobs.js").JobRequests} outside.jobs
  * @param {import("./station/teach.js").TeachRequests} outside.teach
+ * @param {import("./station/buttons.js").ButtonRequests} outside.buttons
  */
-export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, jobs, teach }) {
+export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, jobs, teach, buttons }) {
   const { send } = store;
   /** Number of stops so far, by this page or another client. */
   let stops = 0;
@@ -164,7 +165,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
 
   return {
     setName,
-    send, ask, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs, teach,
+    send, ask, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs, teach, buttons,
 
     /** Asks for confirmation. @param {Question} question */
     question: (question) => send({ type: "question", question }),

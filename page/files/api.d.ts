@@ -4695,6 +4695,31 @@ export interface components {
         /** @description The effect of a button. */
         ButtonAction: {
             /** @constant */
+            type: "position";
+            /**
+             * Format: float
+             * @description X, in millimetres.
+             */
+            x_mm: number;
+            /**
+             * Format: float
+             * @description Y, in millimetres.
+             */
+            y_mm: number;
+            /**
+             * Format: float
+             * @description Z, in millimetres.
+             */
+            z_mm: number;
+            /**
+             * Format: float
+             * @description The rotation of the tool, in degrees.
+             */
+            rotation_deg: number;
+            /** @description The path. */
+            mode: components["schemas"]["MovingMode"];
+        } | {
+            /** @constant */
             type: "command";
             /** @description The command. */
             command: components["schemas"]["Command"];

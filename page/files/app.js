@@ -25,6 +25,7 @@ import { createViewOf, isVeryOld, silence_ms, taughtPlace } from "./state/select
 import { begin } from "./state/state.js";
 import { createStore } from "./state/store.js";
 import { followAuxiliaryData } from "./station/auxiliary_data.js";
+import { createButtons } from "./station/buttons.js";
 import { createHttp, takeToken } from "./station/http.js";
 import { createJobs } from "./station/jobs.js";
 import { createLessons } from "./station/lessons.js";
@@ -70,7 +71,7 @@ const http = createHttp();
 const socket = createSocket({ store, http });
 const setUpRequests = createSetUp(store, http, socket);
 const jobRequests = createJobs(store, http, socket);
-const act = createActions({ store, socket, http, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), lessons: createLessons(store, http), jobs: jobRequests, teach: createTeach(store, http, jobRequests) });
+const act = createActions({ store, socket, http, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), lessons: createLessons(store, http), jobs: jobRequests, teach: createTeach(store, http, jobRequests), buttons: createButtons(store, http, jobRequests) });
 const jog = createJog(store, socket);
 const pads = createPads(store, socket);
 const stage = createStage(part("stage"));

@@ -1,5 +1,6 @@
 // The texts of the page in each language. Texts from the station (refusals, notices) are in English.
 
+import { de } from "./de.js";
 import { en } from "./en.js";
 import { zh } from "./zh.js";
 
@@ -8,7 +9,7 @@ import { zh } from "./zh.js";
 /** Returns the text of a key, with each `{name}` replaced by its value. @typedef {(key: TextKey, values?: Record<string, string | number>) => string} Translate */
 
 /** The languages, each with all texts. Another language is a file like `en.js` and an entry here. */
-export const TEXTS = { en, zh };
+export const TEXTS = { en, de, zh };
 
 /** The key of a control's label in the text of a lesson: [tab.move]. */
 export const LABEL = /\[([a-z_.]+)\]/;

@@ -51,12 +51,19 @@ test("Chinese texts follow one convention: full-width punctuation, one word for 
   }
 });
 
+test("German texts address the user as du, and set quotes and ellipses as German does", () => {
+  for (const [key, text] of Object.entries(TEXTS.de)) {
+    assert.doesNotMatch(text, /\b(Ihr|Ihre|Ihrem|Ihren|Ihnen)\b/, key);
+    assert.doesNotMatch(text.replace(/„[^„“"]*“/g, ""), /["„“”]|\S…|\.\.\.|(?<![\d.])\d+\.\d+(?![\d.])/, key);
+  }
+});
+
 test("values are inserted where the text names them", () => {
   assert.equal(translator("en")("control.others", { name: "desk 3", since: "10:31" }), "desk 3 has control (since 10:31).");
 });
 
 test("a browser gets the first available language of its list, or English", () => {
-  assert.equal(languageOf(["de-DE", "zh-CN", "en"]), "zh");
+  assert.equal(languageOf(["fr-FR", "zh-CN", "en"]), "zh");
   assert.equal(languageOf(["fr"]), "en");
 });
 

@@ -36,6 +36,7 @@
  * | { type: "tab", tab: import("./state.js").Tab }
  * | { type: "language", language: import("./state.js").Language }
  * | { type: "theme", theme: import("./state.js").Theme }
+ * | import("./buttons.js").ButtonsMessage
  * | import("./calibrate.js").CalibrateMessage
  * | import("./jog.js").JogMessage
  * | import("./jobs.js").JobsMessage

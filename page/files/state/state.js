@@ -1,5 +1,6 @@
 // The state of the page: one tree, changed by `reduce` alone.
 
+import { NO_BUTTONS } from "./buttons.js";
 import { NO_CALIBRATE } from "./calibrate.js";
 import { NO_DRAW } from "./draw.js";
 import { NO_HISTORY } from "./history.js";
@@ -63,6 +64,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {import("./touch_paper.js").TouchPaper} touch_paper
  * @property {import("./set_up.js").SetUp} set_up
  * @property {import("./calibrate.js").Calibrate} calibrate
+ * @property {import("./buttons.js").Buttons} buttons
  * @property {import("./draw.js").Draw} draw
  * @property {import("./learn.js").Learn} learn
  * @property {import("./jobs.js").Jobs} jobs
@@ -110,6 +112,7 @@ export const begin = ({ language, theme, greeted, program, name = null }) => ({
   touch_paper: NO_TOUCH_PAPER,
   set_up: NO_SET_UP,
   calibrate: NO_CALIBRATE,
+  buttons: NO_BUTTONS,
   draw: NO_DRAW,
   learn: NO_LEARN,
   jobs: NO_JOBS,

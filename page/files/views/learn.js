@@ -30,7 +30,7 @@ export function learn(context) {
 }
 
 /** A text with the labels of the controls that it names by their keys: [tab.move]. @param {Context["t"]} t @param {string} text */
-const withLabels = (t, text) => text.split(LABEL).map((part, n) => (n % 2 ? html`<strong>${t(/** @type {import("../i18n/i18n.js").TextKey} */ (part)).replace("…", "")}</strong>` : part));
+const withLabels = (t, text) => text.split(LABEL).map((part, n) => (n % 2 ? html`<strong>${t(/** @type {import("../i18n/i18n.js").TextKey} */ (part)).replace(/ ?…$/, "")}</strong>` : part));
 
 /** @param {Context} context */
 const answer = ({ page, t, act }) => html`

@@ -9,7 +9,7 @@ use dobot_api::problem_kinds::{BAD_BUTTON, BUTTON_FILE, BUTTON_TAKEN, NO_SUCH_BU
 use dobot_api::{Problem, write_private};
 use dobot_supervisor::is_plain;
 use dobot_teach::Program;
-use dobot_wire::Command;
+use dobot_wire::{Command, MovingMode};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -48,7 +48,20 @@ enum ButtonColor {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 enum ButtonAction {
-    /// Sends a command, such as a motion to a position.
+    /// Moves to a position, in the base frame, and leaves the tool as it is.
+    Position {
+        /// X, in millimetres.
+        x_mm: f32,
+        /// Y, in millimetres.
+        y_mm: f32,
+        /// Z, in millimetres.
+        z_mm: f32,
+        /// The rotation of the tool, in degrees.
+        rotation_deg: f32,
+        /// The path.
+        mode: MovingMode,
+    },
+    /// Sends a command.
     Command {
         /// The command.
         command: Command,
