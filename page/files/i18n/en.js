@@ -452,7 +452,6 @@ export const en = {
   "tokens.once": "Token of {name}, shown only once.",
   "tokens.qr": "Address of this page with the token, as a QR code",
   "tokens.remove": "Remove {name}",
-  "tokens.loopback": "This address works on this computer only. For a phone, start the station with --http 0.0.0.0:8642 and open the page at its network address.",
   "role.watch": "watch",
   "role.queue": "queue jobs that a person starts",
   "role.control": "move the arm",
@@ -914,4 +913,8 @@ export const en = {
   "teach.record": "Record path",
   "teach.record.end": "End recording ({count})",
   "teach.record.hint": "Recording: jog the arm, then end the recording. It becomes steps along the jogged path, within 0.5 mm.",
+  "phone.use": "Use a phone…",
+  "phone.role": "Role of the phone",
+  "phone.hint": "Scan the code with the phone's camera. The phone may warn once that the station made its certificate itself. To end the access, remove the token above.",
+  "phone.near": "This station listens on this computer only. For a phone, create a token with the role administrator for yourself, then start the station with dobot up --http 0.0.0.0:8642 and open its page with that token.",
 };

@@ -53,7 +53,7 @@ test("Chinese texts follow one convention: full-width punctuation, one word for 
 
 test("German texts address the user as du, and set quotes and ellipses as German does", () => {
   for (const [key, text] of Object.entries(TEXTS.de)) {
-    assert.doesNotMatch(text, /\b(Ihr|Ihre|Ihrem|Ihren|Ihnen)\b/, key);
+    assert.doesNotMatch(text, /(?<=[a-zäöüß,] )(Sie|Ihr|Ihre|Ihrem|Ihren|Ihnen)\b/, key);
     assert.doesNotMatch(text.replace(/„[^„“"]*“/g, ""), /["„“”]|\S…|\.\.\.|(?<![\d.])\d+\.\d+(?![\d.])/, key);
   }
 });

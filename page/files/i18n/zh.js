@@ -453,7 +453,6 @@ export const zh = {
   "tokens.once": "{name} 的令牌，只显示这一次。",
   "tokens.qr": "带令牌的本页地址的二维码",
   "tokens.remove": "删除 {name}",
-  "tokens.loopback": "此地址只能在本机使用。要用手机访问，请以 --http 0.0.0.0:8642 启动控制站，并用网络地址打开本页。",
   "role.watch": "查看",
   "role.queue": "提交任务（由人启动）",
   "role.control": "移动机械臂",
@@ -915,4 +914,8 @@ export const zh = {
   "teach.record": "记录路径",
   "teach.record.end": "结束记录（{count}）",
   "teach.record.hint": "正在记录：点动机械臂，然后结束记录。路径将成为程序步骤，偏差在 0.5 毫米以内。",
+  "phone.use": "使用手机…",
+  "phone.role": "手机的角色",
+  "phone.hint": "用手机相机扫描此码。手机可能会提示一次：证书由控制站自行签发。要终止访问，请删除上面的令牌。",
+  "phone.near": "这台控制站只在本机上可用。要使用手机，请先为自己创建一个管理员令牌，然后用 dobot up --http 0.0.0.0:8642 启动控制站，并用该令牌打开页面。",
 };
