@@ -918,4 +918,7 @@ export const de = {
   "phone.role": "Rolle des Telefons",
   "phone.hint": "Scanne den Code mit der Kamera des Telefons. Das Telefon warnt vielleicht einmal, dass die Station ihr Zertifikat selbst ausgestellt hat. Um den Zugang zu beenden, lösche oben das Token.",
   "phone.near": "Diese Station ist nur auf diesem Computer erreichbar. Für ein Telefon erzeuge zuerst ein Token mit der Rolle Administrator für dich, starte die Station dann mit dobot up --http 0.0.0.0:8642 und öffne ihre Seite mit diesem Token.",
+  "draw.wrap": "Zeilenbreite",
+  "draw.border": "Rahmen",
+  "draw.sign": "Signatur, unten rechts",
 };

@@ -917,4 +917,7 @@ export const en = {
   "phone.role": "Role of the phone",
   "phone.hint": "Scan the code with the phone's camera. The phone may warn once that the station made its certificate itself. To end the access, remove the token above.",
   "phone.near": "This station listens on this computer only. For a phone, create a token with the role administrator for yourself, then start the station with dobot up --http 0.0.0.0:8642 and open its page with that token.",
+  "draw.wrap": "Line width",
+  "draw.border": "border",
+  "draw.sign": "Signature, in the lower right corner",
 };
