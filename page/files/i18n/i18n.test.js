@@ -51,6 +51,13 @@ test("Chinese texts follow one convention: full-width punctuation, one word for 
   }
 });
 
+test("what a text quotes is the label of a control in its language", () => {
+  for (const [language, texts] of Object.entries(TEXTS)) {
+    const labels = new Set(Object.values(texts).map((text) => text.replace(/ ?…$/, "")));
+    for (const [key, text] of Object.entries(texts)) for (const [, label] of text.matchAll(/[“„]([^”“]+)[”“]/g)) assert.ok(labels.has(label), `${language} ${key}: ${label}`);
+  }
+});
+
 test("German texts address the user as du, and set quotes and ellipses as German does", () => {
   for (const [key, text] of Object.entries(TEXTS.de)) {
     assert.doesNotMatch(text, /(?<=[a-zäöüß,] )(Sie|Ihr|Ihre|Ihrem|Ihren|Ihnen)\b/, key);

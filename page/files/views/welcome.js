@@ -1,15 +1,13 @@
 // The welcome card for the virtual arm.
 
-import { html, nothing } from "../vendor/lit-html/lit-html.js";
+import { html } from "../vendor/lit-html/lit-html.js";
 import { isVirtual } from "../state/selectors.js";
-import { asksName, nameForm } from "./name.js";
 
 /** Whether the card is shown. @param {import("../state/state.js").Page} page */
 export const welcomes = (page) => !page.greeted && isVirtual(page);
 
 /** @param {import("./context.js").Context} context */
-export function welcome(context) {
-  const { page, t, act } = context;
+export function welcome({ t, act }) {
   const choose = (/** @type {import("../state/state.js").Tab} */ tab) => {
     act.send({ type: "greeted" });
     act.send({ type: "tab", tab });
@@ -24,6 +22,5 @@ export function welcome(context) {
         <button id="first-real" type="button" class="small" @click=${() => choose("set_up")}>${t("first.real")}</button>
         <button id="first-close" type="button" class="small" @click=${() => act.send({ type: "greeted" })}>${t("close")}</button>
       </div>
-      ${asksName(page) ? html`<p class="quiet">${t("name.why")}</p>${nameForm(context, "first-name")}` : nothing}
     </section>`;
 }

@@ -25,7 +25,7 @@ export function looks(context) {
         ${THEMES.map((choice) => html`<label><input type="radio" name="theme" value=${choice} .checked=${live(choice === page.theme)} @change=${() => act.send({ type: "theme", theme: choice })}><span>${t(`set.${choice}`)}</span></label>`)}
       </fieldset>
       ${page.says_name ? html`<p class="quiet">${t("name.why")}</p>${nameForm(context, "looks-name")}` : nothing}
-      <p><button id="lessons-open" type="button" class="small" @click=${() => act.send({ type: "lesson_choose", open: true })}>${t("learn.open")}</button></p>
+      <p class="row"><button id="lessons-open" type="button" class="small" @click=${() => act.send({ type: "lesson_choose", open: true })}>${t("learn.open")}</button></p>
       <p class="quiet">${t("set.version", { version: page.version })}</p>
     </section>`;
 }

@@ -164,7 +164,7 @@ fn identify(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Problem
         name: if peer.by_fleet {
             "fleet".to_owned()
         } else {
-            program_from(peer.from.ip())
+            client_from(peer.from.ip(), request.headers().contains_key(FETCH_SITE))
         },
         role,
         is_person: false,
@@ -189,11 +189,12 @@ fn identify(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Problem
     }
 }
 
-/// Returns the name of a program that gives none.
-pub(crate) fn program_from(address: IpAddr) -> String {
+/// Returns the name of a client that gives none: a page, if a browser sends for it, or a program.
+fn client_from(address: IpAddr, is_browser: bool) -> String {
+    let what = if is_browser { "a page" } else { "a program" };
     match address.to_canonical() {
-        address if address.is_loopback() => "a program on this computer".to_owned(),
-        address => format!("a program from {address}"),
+        address if address.is_loopback() => format!("{what} on this computer"),
+        address => format!("{what} from {address}"),
     }
 }
 
