@@ -1,5 +1,6 @@
 // User actions: each sends a message to the state, a request to the station, or both.
 
+import { DEVICE, isName, saveName } from "./parts/name.js";
 import { rests } from "./state/selectors.js";
 import { commandOf } from "./station/target.js";
 import { NO_CONNECTION } from "./station/socket.js";
@@ -35,8 +36,9 @@ const isStillMoving = (problem) => problem?.type?.endsWith("/still-moving") ?? f
  * @param {import("./station/lessons.js").Lessons} outside.lessons
  * @param {import("./station/jobs.js").JobRequests} outside.jobs
  * @param {import("./station/teach.js").TeachRequests} outside.teach
+ * @param {import("./station/buttons.js").ButtonRequests} outside.buttons
  */
-export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, jobs, teach }) {
+export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, jobs, teach, buttons }) {
   const { send } = store;
   /** Number of stops so far, by this page or another client. */
   let stops = 0;
@@ -117,7 +119,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     return isAnswer;
   }
 
-  const stopByRequest = () => isAnswered(http.stop("api/v1/stop"));
+  const stopByRequest = () => isAnswered(http.stop("api/v1/stop", { name: store.page.name || null, device: DEVICE }));
   const pressStop = createStop({
     first: () => (socket.isOpen() ? isAnswered(socket.ask({ type: "stop" })) : stopByRequest()),
     again: stopByRequest,
@@ -152,15 +154,18 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     }
   }
 
-  /** Sets the student's name, by which time slots identify this page. @param {string} name */
-  function setStudent(name) {
-    lessons.setStudent(name);
-    socket.again();
+  /** Sets the name of the person at this page; empty for none. @param {string} name */
+  function setName(name) {
+    if (name !== "" && !isName(name)) return;
+    saveName(name, store.page.fleet !== null);
+    const isNew = name !== (store.page.name ?? "");
+    send({ type: "name", name });
+    if (isNew) socket.again();
   }
 
   return {
-    setStudent,
-    send, ask, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs, teach,
+    setName,
+    send, ask, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs, teach, buttons,
 
     /** Asks for confirmation. @param {Question} question */
     question: (question) => send({ type: "question", question }),

@@ -1015,6 +1015,41 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/buttons": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The buttons that people have added to the page */
+        get: operations["get_buttons"];
+        put?: never;
+        /** Adds a button to all pages of the station */
+        post: operations["post_buttons"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/buttons/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /** Removes a button from all pages of the station */
+        delete: operations["delete_buttons_name"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/recordings": {
         parameters: {
             query?: never;
@@ -1182,6 +1217,23 @@ export interface paths {
         post?: never;
         /** Removes a token: its holder loses access; for administrators */
         delete: operations["delete_tokens_name"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/addresses": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The addresses at which other devices in the network reach the page; none if the station listens on this computer only */
+        get: operations["get_addresses"];
+        put?: never;
+        post?: never;
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -2069,6 +2121,8 @@ export interface components {
             client: components["schemas"]["ClientId"];
             /** @description The holder's name. */
             name: string;
+            /** @description The device of a page; absent for a program. */
+            device?: components["schemas"]["Device"] | null;
             /**
              * @description The person the holder counts as for time slots: the name of its token if the token belongs
              *     to a person.
@@ -2094,12 +2148,16 @@ export interface components {
          * @description The id of a client while it is connected.
          */
         ClientId: number;
+        /** @description The kind of device on which a page is open. */
+        Device: "phone" | "computer";
         /** @description A client that asks for control. */
         ControlRequest: {
             /** @description The client. */
             client: components["schemas"]["ClientId"];
             /** @description The client's name. */
             name: string;
+            /** @description The device of a page; absent for a program. */
+            device?: components["schemas"]["Device"] | null;
         };
         /** @description A lock: only an administrator can take control of the arm. */
         LockView: {
@@ -2145,8 +2203,12 @@ export interface components {
         };
         /** @description A stop that holds the arm. */
         StopView: {
-            /** @description Who stopped it. */
+            /** @description The name of who stopped it. */
             by: string;
+            /** @description The device of a page that stopped it; absent for a program. */
+            device?: components["schemas"]["Device"] | null;
+            /** @description The client that stopped it, if it was one of this station since it started. */
+            client?: components["schemas"]["ClientId"] | null;
             /** @description The reason. */
             reason?: string | null;
             /**
@@ -2635,6 +2697,9 @@ export interface components {
         } | {
             /** @constant */
             type: "policy_changed";
+        } | {
+            /** @constant */
+            type: "buttons_changed";
         } | {
             /** @constant */
             type: "calibrated";
@@ -3572,6 +3637,16 @@ export interface components {
              * @default null
              */
             fleet: components["schemas"]["FleetWideStop"] | null;
+            /**
+             * @description The name given by the user of a page, as for its WebSocket.
+             * @default null
+             */
+            name: string | null;
+            /**
+             * @description The device of a page.
+             * @default null
+             */
+            device: components["schemas"]["Device"] | null;
         };
         /** @description A request for control. */
         LeaseRequest: {
@@ -4603,6 +4678,57 @@ export interface components {
             /** Format: uint64 */
             count: number;
         } | "forever";
+        /** @description A button that a person has added to the page. */
+        CustomButton: {
+            /** @description Its label, different from that of all others: 1 to 30 printable characters. */
+            name: string;
+            /** @description Its colour. */
+            color: components["schemas"]["ButtonColor"];
+            /** @description The effect of a press. */
+            action: components["schemas"]["ButtonAction"];
+        };
+        /**
+         * @description The colour of a button. Red is the colour of STOP.
+         * @enum {string}
+         */
+        ButtonColor: "grey" | "blue" | "green" | "yellow" | "purple";
+        /** @description The effect of a button. */
+        ButtonAction: {
+            /** @constant */
+            type: "position";
+            /**
+             * Format: float
+             * @description X, in millimetres.
+             */
+            x_mm: number;
+            /**
+             * Format: float
+             * @description Y, in millimetres.
+             */
+            y_mm: number;
+            /**
+             * Format: float
+             * @description Z, in millimetres.
+             */
+            z_mm: number;
+            /**
+             * Format: float
+             * @description The rotation of the tool, in degrees.
+             */
+            rotation_deg: number;
+            /** @description The path. */
+            mode: components["schemas"]["MovingMode"];
+        } | {
+            /** @constant */
+            type: "command";
+            /** @description The command. */
+            command: components["schemas"]["Command"];
+        } | {
+            /** @constant */
+            type: "program";
+            /** @description Its TOML text. */
+            text: string;
+        };
         /** @description A recording. */
         RecordingView: {
             /** @description The name of its file. */
@@ -6216,6 +6342,8 @@ export interface components {
             person: string;
             /** @description The version of the station. */
             version: string;
+            /** @description The name of the station in its fleet, if it belongs to one. */
+            fleet?: string | null;
             /**
              * Format: double
              * @description The dead-man time: how long a jog button stays pressed without a repeated request, in
@@ -7336,6 +7464,8 @@ export interface operations {
                 notices?: boolean;
                 /** @description Name of the client, 1 to 60 characters */
                 name?: string;
+                /** @description Device of a page, shown with its name */
+                device?: components["schemas"]["Device"];
             };
             header?: never;
             path?: never;
@@ -15174,6 +15304,312 @@ export interface operations {
             };
         };
     };
+    get_buttons: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the buttons, in the order in which they were added */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CustomButton"][];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `button-file`: the buttons cannot be read or written */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_buttons: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "name": "Lift",
+                 *       "color": "blue",
+                 *       "action": {
+                 *         "type": "program",
+                 *         "text": "[[steps]]\ngo = { x = 200, y = 0, z = 80 }\n"
+                 *       }
+                 *     }
+                 */
+                "application/json": components["schemas"]["CustomButton"];
+            };
+        };
+        responses: {
+            /** @description all buttons */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CustomButton"][];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `button-taken`: another button has this name
+             *     - `lease-gone`: the lease token is no longer valid
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-button`: the button is invalid
+             *     - `invalid`: a field is invalid
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `button-file`: the buttons cannot be read or written */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_buttons_name: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the remaining buttons */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CustomButton"][];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-button`: there is no such button */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `button-file`: the buttons cannot be read or written */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_recordings: {
         parameters: {
             query?: {
@@ -16350,6 +16786,69 @@ export interface operations {
             /** @description - `token-file`: the tokens cannot be read or written */
             500: {
                 headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_addresses: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the addresses, as in http://192.168.1.7:8642 */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": string[];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
                     [name: string]: unknown;
                 };
                 content: {

@@ -2,6 +2,7 @@
 
 import { listenToStop } from "./input/keys.js";
 import { stops } from "./input/stop_button.js";
+import { DEVICE, readName } from "./parts/name.js";
 import { createHttp } from "./station/http.js";
 import { createStop } from "./station/stop.js";
 
@@ -12,7 +13,7 @@ const ended = new AbortController();
 const http = createHttp();
 
 /** Whether the station answered. */
-const request = async () => (await http.stop("api/v1/stop")).problem === undefined;
+const request = async () => (await http.stop("api/v1/stop", { name: readName() || null, device: DEVICE })).problem === undefined;
 const press = createStop({ first: request, again: request, late: () => (late.hidden = false), answered: () => (late.hidden = true) });
 const listener = stops(press);
 for (const event of ["pointerdown", "click"]) button.addEventListener(event, listener);

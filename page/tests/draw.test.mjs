@@ -104,3 +104,27 @@ test("a plan that takes too long is cancelled, and the statuses arrive as usual 
   await page.fill("#draw-text", "Hello");
   await waitForText("Takes ");
 });
+
+test("a long text is wrapped, framed by a border, and signed", async () => {
+  /** Plans anew after a change; returns how large the drawing is on the sheet, and its strokes. */
+  const planned = async (change) => {
+    await change();
+    await waitForText("Planning…");
+    await waitForText("Takes ");
+    const size = (name) => page.getAttribute("#sheet-move", name).then(Number);
+    return { width: await size("width"), height: await size("height"), strokes: Number(/(\d+) strokes/.exec(await page.textContent("#draw-status"))[1]) };
+  };
+  const plain = await planned(async () => {
+    await page.check("#draw-title ~ .segments input[value=text]", { force: true });
+    await page.fill("#draw-text", "one two three four");
+  });
+  const wrapped = await planned(() => page.fill("#draw-wrap", "50"));
+  assert.ok(wrapped.width <= 54.5 && plain.width > wrapped.width, `${wrapped.width} of ${plain.width} mm wide`);
+  assert.ok(wrapped.height > 1.5 * plain.height, `${wrapped.height} of ${plain.height} mm high`);
+  const framed = await planned(() => page.click("label:has(#draw-border)"));
+  assert.ok(framed.width > wrapped.width + 5 && framed.strokes > wrapped.strokes);
+  const signed = await planned(() => page.fill("#draw-sign", "Anna"));
+  assert.ok(signed.strokes > framed.strokes, `${signed.strokes} of ${framed.strokes} strokes`);
+  await page.fill("#draw-wrap", "wide");
+  assert.equal(await page.getAttribute("#draw-wrap", "aria-invalid"), "true");
+});

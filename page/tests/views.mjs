@@ -2,7 +2,8 @@
 
 export const SIZES = { desktop: { width: 1440, height: 900 }, tablet: { width: 1024, height: 768 }, phone: { width: 390, height: 844 } };
 export const THEMES = ["light", "dark"];
-export const LANGUAGES = ["en", "zh"];
+export const LANGUAGES = ["en", "de", "zh"];
+const LOCALES = { en: "en-GB", de: "de-DE", zh: "zh-CN" };
 
 const tab = (name) => async (page) => {
   await page.click(`#tab-${name}`);
@@ -103,4 +104,4 @@ export const VIEWS = {
 };
 
 /** A context of a browser for a look, and what ends it. */
-export const look = ({ size, theme, language }) => ({ viewport: SIZES[size], colorScheme: theme, locale: language === "zh" ? "zh-CN" : "en-GB", hasTouch: size === "phone", reducedMotion: "reduce" });
+export const look = ({ size, theme, language }) => ({ viewport: SIZES[size], colorScheme: theme, locale: LOCALES[language], hasTouch: size === "phone", reducedMotion: "reduce" });

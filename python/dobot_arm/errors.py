@@ -5,14 +5,15 @@ from __future__ import annotations
 from typing import Literal
 
 Kind = Literal[
-    "all-arms-given", "arm-busy", "arm-not-started", "bad-answer", "bad-drawing", "bad-fault", "bad-job",
-    "bad-policy", "bad-program", "bad-scene", "bad-slots", "bad-touches", "cannot-resume", "command",
+    "all-arms-given", "arm-busy", "arm-not-started", "bad-answer", "bad-button", "bad-drawing", "bad-fault",
+    "bad-job", "bad-policy", "bad-program", "bad-scene", "bad-slots", "bad-touches", "button-file",
+    "button-taken", "cannot-resume", "command",
     "detecting", "dialect-not-found", "drawing-phase", "ending", "forbidden-host", "forbidden-origin",
     "gives-no-arms", "internal", "invalid", "job-phase", "job-running", "journal", "key-reused",
     "laser-disarmed", "lease-gone", "let-go", "locked", "malformed", "media-type", "member-away",
     "member-refused", "method", "name-taken", "needs-a-person", "no-fleet", "no-job-runs", "no-lease",
-    "no-link", "no-question", "no-such-arm", "no-such-drawing", "no-such-job", "no-such-member",
-    "no-such-recording", "no-such-token", "no-such-work", "no-vectors", "not-asking", "not-built",
+    "no-link", "no-question", "no-such-arm", "no-such-button", "no-such-drawing", "no-such-job",
+    "no-such-member", "no-such-recording", "no-such-token", "no-such-work", "no-vectors", "not-asking", "not-built",
     "not-delivered", "not-reached", "not-virtual", "out-of-range", "policy", "policy-file", "recording",
     "role", "slot", "still-moving", "stopped", "timeout", "token-file", "token-name", "token-taken",
     "too-large", "too-many", "too-many-clients", "too-many-requests", "unauthorised", "unguarded",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Sequence
 
 from ._core import Core
@@ -12,7 +13,7 @@ from .errors import Failed
 def connect(
     where: str,
     *,
-    name: str = "python",
+    name: str | None = None,
     token: str | None = None,
     dialect: str | None = None,
     fingerprint: str | None = None,
@@ -28,7 +29,7 @@ def connect(
     ``tcp:host:port`` the rules are applied in this process, with the program ``dobot`` as the watchdog, which
     must be installed.
 
-    ``name`` is shown to other clients; ``token`` is required for more than watching (default: the environment
+    ``name`` is shown to other clients (default: the name of the script's file); ``token`` is required for more than watching (default: the environment
     variable ``DOBOT_TOKEN``, then the token of this user's station); ``dialect`` is the protocol dialect of an
     arm at an address, ``specification`` or ``firmware-1.1``. The certificate of a station at ``https://`` is
     checked with ``fingerprint``, its SHA-256 digest, which the station prints at its start; or with ``ca``, a
@@ -43,11 +44,17 @@ def connect(
     return Core(
         where,
         {
-            "name": name, "token": token, "dialect": dialect, "watchdog": watchdog(where),
+            "name": name or script(), "token": token, "dialect": dialect, "watchdog": watchdog(where),
             "fingerprint": fingerprint, "ca": None if ca is None else os.fspath(ca),
             "world": scene(world), "faults": listed(faults), "seed": seed,
         },
     )
+
+
+def script() -> str:
+    """Returns the name of the file of the running script, or ``python`` if there is none."""
+    name = "".join(letter for letter in os.path.basename(sys.argv[0]) if letter.isprintable())
+    return name[:60] if name not in ("", "-c", "-m", "-") else "python"
 
 
 def scene(world: str | os.PathLike[str] | None) -> str | None:

@@ -116,6 +116,12 @@ impl Folders {
         self.data.join("recordings")
     }
 
+    /// The file of the buttons that people have added to the page.
+    #[must_use]
+    pub fn buttons(&self) -> PathBuf {
+        self.data.join("buttons.json")
+    }
+
     /// The file of access tokens.
     #[must_use]
     pub fn tokens(&self) -> PathBuf {

@@ -10,6 +10,28 @@ use serde::{Deserialize, Serialize};
 #[serde(transparent)]
 pub struct ClientId(pub u64);
 
+/// The kind of device on which a page is open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Device {
+    /// A phone or a tablet.
+    Phone,
+    /// Any other computer.
+    Computer,
+}
+
+impl Device {
+    /// Returns the name of a client with its device, if it is a page: `Anna (phone)`.
+    #[must_use]
+    pub fn named(name: &str, device: Option<Self>) -> String {
+        match device {
+            Some(Self::Phone) => format!("{name} (phone)"),
+            Some(Self::Computer) => format!("{name} (computer)"),
+            None => name.to_owned(),
+        }
+    }
+}
+
 /// The lease holder.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LeaseView {
@@ -17,6 +39,9 @@ pub struct LeaseView {
     pub client: ClientId,
     /// The holder's name.
     pub name: String,
+    /// The device of a page; absent for a program.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub device: Option<Device>,
     /// The person the holder counts as for time slots: the name of its token if the token belongs
     /// to a person.
     #[serde(default)]
@@ -38,4 +63,7 @@ pub struct ControlRequest {
     pub client: ClientId,
     /// The client's name.
     pub name: String,
+    /// The device of a page; absent for a program.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub device: Option<Device>,
 }

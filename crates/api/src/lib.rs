@@ -57,7 +57,7 @@ pub use fleet::{
 pub use folders::{Folders, make_private};
 pub use job::{JobKind, JobPause, JobPhase, JobProgram, JobRepeat, JobView, NewJob, ProgramView};
 pub use job_state::JobState;
-pub use lease::{ClientId, ControlRequest, LeaseView};
+pub use lease::{ClientId, ControlRequest, Device, LeaseView};
 pub use link_problem::{LinkCause, LinkProblem};
 pub use message::{FromClient, Hello, ToClient};
 pub use near::{BoundedQuantity, NearLimit, NearView};

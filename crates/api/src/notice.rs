@@ -61,6 +61,8 @@ pub enum News {
     },
     /// The safety policy has changed.
     PolicyChanged,
+    /// A person added a button to the page, or removed one.
+    ButtonsChanged,
     /// The calibration of the arm has changed.
     Calibrated,
     /// A request was refused.

@@ -90,6 +90,8 @@ kinds! {
         "No recording has this name; the oldest are deleted when there are too many. `/api/v1/recordings` lists all of them.";
     NO_SUCH_TOKEN = 404 "no-such-token" "there is no such token"
         "No token has this name. `/api/v1/tokens` lists all of them.";
+    NO_SUCH_BUTTON = 404 "no-such-button" "there is no such button"
+        "Nobody has added a button with this name to the page, or it was removed. `/api/v1/buttons` lists all of them.";
     NO_FLEET = 404 "no-fleet" "this station belongs to no fleet"
         "A station joins a fleet when it is started with `dobot up --fleet`.";
     NO_SUCH_MEMBER = 404 "no-such-member" "the fleet has no such station"
@@ -118,6 +120,8 @@ kinds! {
         "What can be done with a fleet job depends on its phase. The detail gives the phase and what is allowed.";
     TOKEN_TAKEN = 409 "token-taken" "another token has this name"
         "Remove the other token first, or use another name.";
+    BUTTON_TAKEN = 409 "button-taken" "another button has this name"
+        "Remove the other button first, or use another name.";
     NOT_VIRTUAL = 409 "not-virtual" "the arm is not a virtual arm of this station"
         "World and faults exist only for a station's own virtual arm: `dobot up --virtual`.";
     NO_LEASE = 409 "no-lease" "this client does not have control"
@@ -182,6 +186,8 @@ kinds! {
         "The text cannot be used as a safety policy. The detail says which line, what was found, and what is allowed. The previous policy stays in force.";
     TOKEN_FILE = 500 "token-file" "the tokens cannot be read or written"
         "The file with the tokens cannot be read or written. Nothing has changed.";
+    BUTTON_FILE = 500 "button-file" "the buttons cannot be read or written"
+        "The file with the buttons of the page cannot be read or written. Nothing has changed.";
     POLICY_FILE = 500 "policy-file" "the policy cannot be written"
         "The new policy is in force, but could not be written to its file: after the next start of the station the old one applies again.";
     RECORDING = 500 "recording" "the recordings cannot be read"
@@ -202,6 +208,8 @@ kinds! {
         "The text is not a program, or one of its steps cannot be executed. The detail says which line, what was found, and what is allowed; `POST /api/v1/programs/check` lists all errors.";
     TOKEN_NAME = 422 "token-name" "no token can have this name"
         "The detail says which names a token can have.";
+    BAD_BUTTON = 422 "bad-button" "the button is invalid"
+        "The detail says what is wrong with its name or its program, and what is allowed.";
     BAD_SCENE = 422 "bad-scene" "the scene is invalid"
         "The text does not describe a world. The detail says which line, what was found, and what is allowed.";
     BAD_FAULT = 422 "bad-fault" "the fault is invalid"

@@ -4,7 +4,7 @@ use dobot_wire::{Command, Dialect, Status};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{FleetWideStop, JobView, LeaseView, LinkCause, NearView, SlotsView};
+use crate::{ClientId, Device, FleetWideStop, JobView, LeaseView, LinkCause, NearView, SlotsView};
 
 /// The state of the station at one moment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -265,8 +265,14 @@ pub struct LockView {
 /// A stop that holds the arm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StopView {
-    /// Who stopped it.
+    /// The name of who stopped it.
     pub by: String,
+    /// The device of a page that stopped it; absent for a program.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub device: Option<Device>,
+    /// The client that stopped it, if it was one of this station since it started.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub client: Option<ClientId>,
     /// The reason.
     pub reason: Option<String>,
     /// When it was set, in seconds since the station started.
@@ -287,10 +293,11 @@ impl StopView {
     /// Returns who stopped the arm and why, as text.
     #[must_use]
     pub fn text(&self) -> String {
+        let who = Device::named(&self.by, self.device);
         let by = if self.of_fleet {
-            format!("stopped: fleet, by {}", self.by)
+            format!("stopped: fleet, by {who}")
         } else {
-            format!("stopped by {}", self.by)
+            format!("stopped by {who}")
         };
         with_reason(by, self.reason.as_deref())
     }

@@ -175,6 +175,8 @@ mod tests {
             state: Some(Box::new(State {
                 stop: Some(StopView {
                     by: "An\u{1b}[2Jna".into(),
+                    device: None,
+                    client: None,
                     reason: Some("\u{202e}fire".into()),
                     at_s: 1.3,
                     rests_by_s: 1.4,
@@ -235,6 +237,8 @@ mod tests {
         let stopped = State {
             stop: Some(StopView {
                 by: "Anna".into(),
+                device: None,
+                client: None,
                 reason: None,
                 at_s: 1.3,
                 rests_by_s: 1.4,

@@ -386,10 +386,12 @@ impl Driver {
             Message::Came {
                 name,
                 person,
+                device,
                 role,
                 reply,
             } => {
                 let client = self.supervisor.handle_client(now, &name, role, &person);
+                self.supervisor.handle_device(client, device);
                 tracing::debug!(client = client.0, name, ?role, "a client came");
                 if reply.send(client).is_err() {
                     self.supervisor.handle_left(now, client);
@@ -450,6 +452,7 @@ impl Driver {
                 let _ = reply.send(self.supervisor.handle_fleet_reset(now, &by));
             }
             Message::Trouble(text) => self.supervisor.handle_trouble(now, text),
+            Message::Buttons(text) => self.supervisor.handle_buttons_changed(now, text),
             Message::Failed(text) => self.fail(text),
             Message::End => self.end(),
         }

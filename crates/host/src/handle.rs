@@ -6,8 +6,8 @@ use std::time::Duration;
 
 use bytes::Bytes;
 use dobot_api::{
-    Calibrations, ClientId, FleetWideStop, JobPath, JobView, NewJob, Notice, Reply, Request, Role,
-    State,
+    Calibrations, ClientId, Device, FleetWideStop, JobPath, JobView, NewJob, Notice, Reply,
+    Request, Role, State,
 };
 use dobot_arm::Calibration;
 use dobot_safety::Policy;
@@ -155,6 +155,8 @@ pub enum Message {
         name: String,
         /// The person it counts as for time slots.
         person: String,
+        /// The device, if it is a page.
+        device: Option<Device>,
         /// The role.
         role: Role,
         /// The client's number.
@@ -248,6 +250,8 @@ pub enum Message {
     },
     /// Report a fault to observers, in one line.
     Trouble(String),
+    /// Report a change of the buttons on the page, in one line.
+    Buttons(String),
     /// End the station, because something that the arm depends on failed (in one line).
     Failed(String),
     /// End the station: laser off, and nothing more is sent.
@@ -403,10 +407,26 @@ impl StationHandle {
     ///
     /// [`Refusal::Ending`].
     pub async fn client_of(&self, name: &str, role: Role, person: &str) -> Result<Client, Refusal> {
+        self.page_of(name, role, person, None).await
+    }
+
+    /// Connects a client as [`client_of`](Self::client_of) does, with the device of a page.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Ending`].
+    pub async fn page_of(
+        &self,
+        name: &str,
+        role: Role,
+        person: &str,
+        device: Option<Device>,
+    ) -> Result<Client, Refusal> {
         let (reply, answer) = oneshot::channel();
         let message = Message::Came {
             name: name.to_owned(),
             person: person.to_owned(),
+            device,
             role,
             reply,
         };
@@ -543,6 +563,12 @@ impl StationHandle {
     /// Reports a fault without waiting; it is dropped if the driver's queue is full.
     pub fn try_report_trouble(&self, text: String) {
         let _ = self.messages.try_send(Message::Trouble(text));
+    }
+
+    /// Reports a change of the buttons on the page, in one line.
+    pub fn report_buttons(&self, text: String) {
+        // If the queue is full, pages show the change when they read the buttons again.
+        let _ = self.messages.try_send(Message::Buttons(text));
     }
 
     /// Subscribes to notices.

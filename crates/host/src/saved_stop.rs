@@ -41,6 +41,7 @@ impl SavedStop {
                     "cannot read whether a stop held before: {}: {why}",
                     self.0.display()
                 )),
+                ..StoppedBy::default()
             }),
             fleet: Vec::new(),
         };
@@ -56,7 +57,7 @@ impl SavedStop {
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
-    use dobot_api::FleetWideStop;
+    use dobot_api::{Device, FleetWideStop};
 
     use super::*;
 
@@ -68,6 +69,8 @@ mod tests {
         let content = Content {
             stop: Some(StoppedBy {
                 by: "Anna".into(),
+                device: Some(Device::Phone),
+                client: None,
                 reason: Some("finger caught".into()),
             }),
             fleet: vec![SavedFleetStop {

@@ -107,12 +107,12 @@ mod tests {
             damaged_bytes: 17,
             ..Traffic::default()
         };
-        let name = "raw program 127.0.0.1:4000".to_owned();
+        let name = "a program on this computer (port 4000)".to_owned();
         let trouble = ProgramNews::Left { name, traffic }.trouble();
         assert_eq!(
             trouble.as_deref(),
             Some(
-                "raw program 127.0.0.1:4000 left: of 3 packets and their statuses 17 bytes were outside of packets"
+                "a program on this computer (port 4000) left: of 3 packets and their statuses 17 bytes were outside of packets"
             )
         );
     }

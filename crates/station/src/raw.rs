@@ -190,7 +190,7 @@ async fn accept(listener: &TcpListener, report: &mut impl FnMut(ProgramNews)) ->
     loop {
         match listener.accept().await {
             Ok((stream, from)) => {
-                let name = format!("raw program {from}");
+                let name = format!("a program on this computer (port {})", from.port());
                 return Program { stream, name };
             }
             // It left before it was accepted; wait for the next one.

@@ -113,6 +113,12 @@ impl Supervisor {
         self.notify(News::Trouble, text);
     }
 
+    /// Handles a change of the buttons on the page, described in one line.
+    pub fn handle_buttons_changed(&mut self, now: Duration, text: String) {
+        self.handle_time(now);
+        self.notify(News::ButtonsChanged, text);
+    }
+
     /// Handles missing stored jobs, described in one line; reported now and in each state.
     pub fn handle_jobs_missing(&mut self, now: Duration, text: String) {
         self.handle_trouble(now, text.clone());

@@ -1,17 +1,18 @@
 // The texts of the page in each language. Texts from the station (refusals, notices) are in English.
 
+import { de } from "./de.js";
 import { en } from "./en.js";
 import { zh } from "./zh.js";
 
 /** @typedef {keyof typeof en} TextKey */
-/** @typedef {keyof typeof LANGUAGES} Language */
+/** @typedef {keyof typeof TEXTS} Language */
 /** Returns the text of a key, with each `{name}` replaced by its value. @typedef {(key: TextKey, values?: Record<string, string | number>) => string} Translate */
 
-/** The languages, each by its own name. */
-export const LANGUAGES = { en: "English", zh: "中文" };
+/** The languages, each with all texts. Another language is a file like `en.js` and an entry here. */
+export const TEXTS = { en, de, zh };
 
-/** @type {Record<Language, Record<TextKey, string>>} */
-export const TEXTS = { en, zh };
+/** The key of a control's label in the text of a lesson: [tab.move]. */
+export const LABEL = /\[([a-z_.]+)\]/;
 
 /** @param {Language} language @returns {Translate} */
 export const translator = (language) => (key, values = {}) => TEXTS[language][key].replace(/\{(\w+)\}/g, (all, name) => String(values[name] ?? all));
@@ -20,7 +21,7 @@ export const translator = (language) => (key, values = {}) => TEXTS[language][ke
 export function languageOf(wanted) {
   for (const tag of wanted) {
     const known = /** @type {Language} */ (tag.slice(0, 2).toLowerCase());
-    if (known in LANGUAGES) return known;
+    if (known in TEXTS) return known;
   }
   return "en";
 }

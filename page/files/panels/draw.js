@@ -55,7 +55,7 @@ const field = ({ page, t, act }, name, unit, placeholder) => html`
     <input id="draw-${name}" type="text" inputmode="decimal" autocomplete="off" placeholder=${placeholder} aria-invalid=${wrongField(page.draw.set) === name ? "true" : "false"} .value=${live(String(page.draw.set[name]))}
       @input=${(/** @type {Event} */ event) => act.send({ type: "draw_set", set: { [name]: value(event) } })}></label>`;
 
-/** @param {Context} context @param {"hatch" | "clip" | "fit"} name */
+/** @param {Context} context @param {"hatch" | "clip" | "fit" | "border"} name */
 const check = ({ page, t, act }, name) => html`
   <label class="check"><input id="draw-${name}" type="checkbox" .checked=${live(page.draw.set[name])} @change=${(/** @type {Event} */ event) => act.send({ type: "draw_set", set: { [name]: checked(event) } })}> ${t(`draw.${name}`)}</label>`;
 
@@ -72,7 +72,7 @@ function place(context) {
         ${field(context, "x", "mm", "210")}${field(context, "y", "mm", "0")}
         ${field(context, "scale", "%", percent)}${field(context, "rotate", "°", "0")}
       </div>
-      <div class="row">${check(context, "fit")}${check(context, "clip")}</div>
+      <div class="row">${check(context, "fit")}${check(context, "clip")}${check(context, "border")}</div>
       <div class="fields">
         ${field(context, "down", "mm", page.draw.paper ? t("draw.measured") : String(paperOf(page)))}
         <button id="draw-here" type="button" class="small here" title=${t("draw.here.hint")} ?disabled=${!page.station?.arm} @click=${() => act.useHeight()}>${t("draw.here")}</button>
@@ -107,8 +107,9 @@ function way(context) {
         ${check(context, "hatch")}`}
       <div class="fields">
         ${field(context, "speed", "mm/s", "")}${field(context, "tolerance", "mm", "0.05")}
-        ${draw.what === "text" ? field(context, "height", "mm", "10") : nothing}
+        ${draw.what === "text" ? html`${field(context, "height", "mm", "10")}${field(context, "wrap", "mm", "")}` : nothing}
       </div>
+      <label class="setting"><span>${t("draw.sign")}</span><input id="draw-sign" type="text" autocomplete="off" .value=${live(draw.set.sign)} @input=${(/** @type {Event} */ event) => set({ sign: value(event) })}></label>
     </section>`;
 }
 

@@ -47,10 +47,12 @@ export function teach(context) {
         </fieldset>
       </div>
       <div class="row">
+        <button id="teach-record" type="button" class="small" aria-pressed=${page.teach.recorded === null ? "false" : "true"} ?disabled=${!page.station?.arm} @click=${() => void act.teach.recorder.toggle()}>${page.teach.recorded === null ? t("teach.record") : t("teach.record.end", { count: page.teach.recorded })}</button>
         <button id="teach-suction-on" type="button" class="small" @click=${() => act.teach.insert({ suction: true, pause: 0.3 })}>${t("teach.suction_on")}</button>
         <button id="teach-suction-off" type="button" class="small" @click=${() => act.teach.insert({ suction: false, pause: 0.3 })}>${t("teach.suction_off")}</button>
         <button id="teach-pause" type="button" class="small" @click=${() => act.teach.insert({ pause: 1 })}>${t("teach.pause")}</button>
       </div>
+      ${page.teach.recorded === null ? nothing : html`<p id="teach-recording" class="status" data-tone="warn" role="status">${t("teach.record.hint")}</p>`}
       ${modeChoice}
       ${views[mode]()}
       ${edits(context, rows)}

@@ -7,7 +7,7 @@ import { paperOf } from "./paper.js";
 /** @typedef {Schemas["DrawingPlan"]} Plan */
 /** The supported formats. @typedef {readonly Schemas["Format"][]} Formats */
 /** @typedef {{ x: string, y: string, scale: string, rotate: string, down: string }} Place The text of the fields; empty for the station's default. */
-/** @typedef {{ tool: string, speed: string, tolerance: string, layers: "nothing" | "color" | "group" | "width", gcode: "file" | "laser" | "pen" | "mill", pens: Readonly<Record<string, string>>, hatch: boolean, clip: boolean, fit: boolean, height: string, font: string }} Way */
+/** @typedef {{ tool: string, speed: string, tolerance: string, layers: "nothing" | "color" | "group" | "width", gcode: "file" | "laser" | "pen" | "mill", pens: Readonly<Record<string, string>>, hatch: boolean, clip: boolean, fit: boolean, height: string, font: string, wrap: string, border: boolean, sign: string }} Way */
 /** @typedef {Place & Way} Settings */
 /** Placement of a drawing: centre, scale and rotation. @typedef {{ x_mm: number, y_mm: number, scale: number, rotate_deg: number }} Lies */
 
@@ -38,19 +38,19 @@ export const formatNames = (formats) => formats.map(({ name }) => name).join(", 
 export const MOST_BYTES = 24_000_000;
 /** The page's names of drawing options. @type {Readonly<Record<string, import("../i18n/i18n.js").TextKey>>} */
 const FIELD_NAMES = {
-  "what.hatch": "draw.hatch", "what.height": "draw.height", "what.layers": "draw.layers", "what.gcode": "draw.gcode",
-  "place.scale": "draw.scale", "place.rotate": "draw.rotate", "place.pen_down": "draw.down", "place.fit": "draw.fit", "place.clip": "draw.clip",
+  "what.hatch": "draw.hatch", "what.height": "draw.height", "what.layers": "draw.layers", "what.gcode": "draw.gcode", "what.wrap": "draw.wrap",
+  "place.scale": "draw.scale", "place.rotate": "draw.rotate", "place.pen_down": "draw.down", "place.fit": "draw.fit", "place.clip": "draw.clip", "place.border": "draw.border", "place.sign": "draw.sign",
   "tool.pen": "draw.tool", "tool.laser": "draw.tool", "tool.speed": "draw.speed", "way.tolerance": "draw.tolerance",
 };
 /** The numeric fields. @type {readonly (keyof Settings)[]} */
-const NUMBERS = ["x", "y", "scale", "rotate", "down", "speed", "tolerance", "height"];
+const NUMBERS = ["x", "y", "scale", "rotate", "down", "speed", "tolerance", "height", "wrap"];
 
 /** @type {Draw} */
 export const NO_DRAW = {
   what: "file",
   file: null,
   text: "",
-  set: { x: "", y: "", scale: "", rotate: "", down: "", tool: "fineliner", speed: "", tolerance: "", layers: "nothing", gcode: "file", pens: {}, hatch: false, clip: false, fit: false, height: "", font: "sans" },
+  set: { x: "", y: "", scale: "", rotate: "", down: "", tool: "fineliner", speed: "", tolerance: "", layers: "nothing", gcode: "file", pens: {}, hatch: false, clip: false, fit: false, height: "", font: "sans", wrap: "", border: false, sign: "" },
   revision: 0,
   phase: "nothing",
   drawing: null,
@@ -105,7 +105,7 @@ export function optionsOf(page) {
   const scale = number("scale");
   return /** @type {Schemas["Options"]} */ ({
     what: {
-      ...(what === "text" ? { text, font: set.font, height: letters_mm === undefined ? undefined : (letters_mm * (scale ?? 100)) / 100 } : {}),
+      ...(what === "text" ? { text, font: set.font, height: letters_mm === undefined ? undefined : (letters_mm * (scale ?? 100)) / 100, wrap: number("wrap") } : {}),
       ...(set.layers === "nothing" ? {} : { layers: set.layers, layer }),
       ...(set.hatch ? { hatch: "auto" } : {}),
       ...(isGcode(page.draw) && set.gcode !== "file" ? { gcode: set.gcode } : {}),
@@ -115,6 +115,8 @@ export function optionsOf(page) {
       rotate: number("rotate") ?? 0,
       ...(set.fit ? { fit: true } : scale === undefined || letters_mm !== undefined ? {} : { scale: scale / 100 }),
       clip: set.clip,
+      border: set.border,
+      ...(set.sign.trim() === "" ? {} : { sign: set.sign.trim() }),
       // The station knows the height of a measured paper.
       pen_down: number("down") ?? (page.draw.paper ? undefined : paperOf(page)),
     },

@@ -1,13 +1,12 @@
-// Lessons: steps with the condition for the next step. Pure; the texts are in `lessons/`.
+// Lessons: steps with the condition for the next step. Pure; the steps are in `lessons/`, their texts in `i18n/`.
 
 /** @typedef {import("./state.js").Page} Page */
-/** @typedef {import("../i18n/i18n.js").Language} Language */
 
 /** The condition of a step; a step without one has a button.
  * @typedef {{ moved_mm?: number, near?: { x: number, y: number, z: number, within: number }, steps?: number, cycles?: number, notice?: string, drawing?: boolean, idle?: boolean, refused?: boolean, answer?: { is: number, within: number } }} Until
  */
-/** @typedef {{ text: Record<Language, string>, show?: string, until?: Until }} Step */
-/** `name` is that of its file. @typedef {{ name: string, title: Record<Language, string>, minutes: number, steps: readonly Step[] }} Lesson */
+/** @typedef {{ show?: string, until?: Until }} Step */
+/** `name` is that of its file. @typedef {{ name: typeof LESSONS[number], minutes: number, steps: readonly Step[] }} Lesson */
 /** Conditions at the start of a step. @typedef {{ at: readonly [number, number, number] | null, notice: number }} Begun */
 
 /**
@@ -17,12 +16,11 @@
  * @property {Begun} begun
  * @property {string} answer The typed answer.
  * @property {boolean} chooses Whether the lesson list is open.
- * @property {string} student The student's name for the board of the fleet; may be empty.
  * @property {import("./types.js").Problem | null} reportProblem Why the last report was refused.
  */
 
 /** @type {Learn} */
-export const NO_LEARN = { lesson: null, step: 0, begun: { at: null, notice: 0 }, answer: "", chooses: false, student: "", reportProblem: null };
+export const NO_LEARN = { lesson: null, step: 0, begun: { at: null, notice: 0 }, answer: "", chooses: false, reportProblem: null };
 
 /** The lessons, by the names of their files, in their order. */
 export const LESSONS = /** @type {const} */ (["tour", "coordinates", "kinematics", "pick_and_place"]);
@@ -31,22 +29,21 @@ export const LESSONS = /** @type {const} */ (["tour", "coordinates", "kinematics
  * | { type: "lesson_step", step: number, begun: Begun }
  * | { type: "lesson_answer", text: string }
  * | { type: "lesson_choose", open: boolean }
- * | { type: "lesson_student", name: string }
  * | { type: "lesson_reported", problem: import("./types.js").Problem | null }} LearnMessage */
 
 /** @param {Learn} learn @param {import("./message.js").Message} message @returns {Learn} */
 export function reduceLearn(learn, message) {
   switch (message.type) {
     case "lesson":
-      return { ...NO_LEARN, lesson: message.lesson, begun: message.begun, student: learn.student, reportProblem: learn.reportProblem };
+      return { ...NO_LEARN, lesson: message.lesson, begun: message.begun, reportProblem: learn.reportProblem };
     case "lesson_step":
       return { ...learn, step: message.step, begun: message.begun, answer: "" };
     case "lesson_answer":
       return { ...learn, answer: message.text };
     case "lesson_choose":
       return { ...learn, chooses: message.open };
-    case "lesson_student":
-      return { ...learn, student: message.name, reportProblem: null };
+    case "name":
+      return { ...learn, reportProblem: null };
     case "lesson_reported":
       return { ...learn, reportProblem: message.problem };
     default:
@@ -63,8 +60,8 @@ export function begunNow(page) {
 /** The step that a person is at. @param {Page} page @returns {Step | null} */
 export const stepNow = ({ learn }) => learn.lesson?.steps[learn.step] ?? null;
 
-/** The progress report for the station; null without a student or a lesson. @param {Learn} learn */
-export const progressOf = ({ lesson, step, student }) => (lesson && student ? { student, lesson: lesson.name, done: step, steps: lesson.steps.length } : null);
+/** The progress report for the station; null without a name or a lesson. @param {Page} page */
+export const progressOf = ({ learn: { lesson, step }, name }) => (lesson && name ? { student: name, lesson: lesson.name, done: step, steps: lesson.steps.length } : null);
 
 /** Whether the condition of the current step is met. @param {Page} page @param {number} steps how many steps the program has */
 export function isDone(page, steps) {

@@ -7,7 +7,7 @@
 /** @typedef {import("./state.js").Page} Page */
 
 /**
- * @typedef {{ type: "hello", client: number, role: import("./types.js").Role, version: string, person: string, says_name: boolean, now_ms: number }
+ * @typedef {{ type: "hello", client: number, role: import("./types.js").Role, version: string, fleet: string | null, person: string, says_name: boolean, now_ms: number }
  * | { type: "state", station: Station, now_ms: number }
  * | { type: "notices", notices: readonly Notice[] }
  * | { type: "notice", notice: Notice }
@@ -20,7 +20,6 @@
  * | { type: "tick", now_ms: number }
  * | { type: "problem", problem: Problem }
  * | { type: "problem_closed" }
- * | { type: "fleet", name: string | null }
  * | { type: "message_closed" }
  * | { type: "question", question: import("./state.js").Question | null }
  * | { type: "policy", policy: Policy | null }
@@ -33,9 +32,11 @@
  * | { type: "pad_refused", detail: string | null }
  * | { type: "flattened" }
  * | { type: "greeted" }
+ * | { type: "name", name: string }
  * | { type: "tab", tab: import("./state.js").Tab }
  * | { type: "language", language: import("./state.js").Language }
  * | { type: "theme", theme: import("./state.js").Theme }
+ * | import("./buttons.js").ButtonsMessage
  * | import("./calibrate.js").CalibrateMessage
  * | import("./jog.js").JogMessage
  * | import("./jobs.js").JobsMessage

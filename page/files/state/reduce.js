@@ -1,5 +1,6 @@
 // Applies a message to the state. Pure: no clock, no document, no network.
 
+import { reduceButtons } from "./buttons.js";
 import { reduceCalibrate } from "./calibrate.js";
 import { reduceDraw } from "./draw.js";
 import { reduceHistory } from "./history.js";
@@ -25,6 +26,7 @@ export function reduce(page, message) {
   const jog = reduceJog(next.jog, message);
   const target = reduceTarget(next.target, message, page.station, next.station);
   const calibrate = reduceCalibrate(next.calibrate, message);
+  const buttons = reduceButtons(next.buttons, message);
   const draw = reduceDraw(next.draw, message);
   const learn = reduceLearn(next.learn, message);
   const set_up = reduceSetUp(next.set_up, message);
@@ -34,15 +36,15 @@ export function reduce(page, message) {
   const recordings = reduceRecordings(next.recordings, message);
   const packets = reducePackets(next.packets, message);
   const history = reduceHistory(next.history, message);
-  const isSame = jog === next.jog && target === next.target && calibrate === next.calibrate && draw === next.draw && learn === next.learn && set_up === next.set_up && teach === next.teach && touch_paper === next.touch_paper && jobs === next.jobs && recordings === next.recordings && packets === next.packets && history === next.history;
-  return isSame ? next : { ...next, jog, target, calibrate, draw, learn, set_up, teach, touch_paper, jobs, recordings, packets, history };
+  const isSame = jog === next.jog && target === next.target && buttons === next.buttons && calibrate === next.calibrate && draw === next.draw && learn === next.learn && set_up === next.set_up && teach === next.teach && touch_paper === next.touch_paper && jobs === next.jobs && recordings === next.recordings && packets === next.packets && history === next.history;
+  return isSame ? next : { ...next, jog, target, buttons, calibrate, draw, learn, set_up, teach, touch_paper, jobs, recordings, packets, history };
 }
 
 /** @param {Page} page @param {Message} message @returns {Page} */
 function reduceOwn(page, message) {
   switch (message.type) {
     case "hello":
-      return { ...page, connection: "open", me: message.client, role: message.role, person: message.person, says_name: message.says_name, version: message.version, received_ms: message.now_ms, now_ms: message.now_ms, around: null, planned: null };
+      return { ...page, connection: "open", me: message.client, role: message.role, person: message.person, says_name: message.says_name, version: message.version, fleet: message.fleet, received_ms: message.now_ms, now_ms: message.now_ms, around: null, planned: null };
     case "state":
       return { ...page, station: message.station, late_stop: page.station?.stop && !message.station.stop ? unanswered(page) : page.late_stop, received_ms: message.now_ms, now_ms: message.now_ms };
     case "notices":
@@ -67,8 +69,6 @@ function reduceOwn(page, message) {
       return { ...page, problem: message.problem };
     case "problem_closed":
       return { ...page, problem: null };
-    case "fleet":
-      return { ...page, fleet: message.name };
     case "message_closed":
       return { ...page, message: null };
     case "question":
@@ -93,6 +93,8 @@ function reduceOwn(page, message) {
       return { ...page, flattened: true };
     case "greeted":
       return { ...page, greeted: true };
+    case "name":
+      return { ...page, name: message.name };
     case "tab":
       return { ...page, tab: message.tab };
     case "language":

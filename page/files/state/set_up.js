@@ -16,6 +16,8 @@
  * @property {Policy | null} drafted The last valid policy in the draft; null before the first check.
  * @property {boolean} overtaken Whether another policy was applied while this draft was edited.
  * @property {readonly Schemas["TokenView"][] | null} tokens Nothing where this page may not see them.
+ * @property {readonly string[]} addresses The addresses at which a phone reaches the page; none if the station listens on this computer only.
+ * @property {boolean} needs_network Whether a phone was wanted that cannot reach the station.
  * @property {Schemas["NewToken"] | null} made The token that was made last, whose secret is shown once.
  * @property {readonly string[] | null} faults Of the station's own virtual arm.
  * @property {{ place: Place, problem: Problem } | null} refused Why the last change was refused.
@@ -23,7 +25,7 @@
  */
 
 /** @type {SetUp} */
-export const NO_SET_UP = { kept: null, draft: null, revision: 0, check: { type: "unknown" }, drafted: null, overtaken: false, tokens: null, made: null, faults: null, refused: null, finding: null };
+export const NO_SET_UP = { kept: null, draft: null, revision: 0, check: { type: "unknown" }, drafted: null, overtaken: false, tokens: null, addresses: [], needs_network: false, made: null, faults: null, refused: null, finding: null };
 
 /** @typedef {{ type: "policy_text", text: string }
  * | { type: "policy_typed", text: string }
@@ -31,6 +33,8 @@ export const NO_SET_UP = { kept: null, draft: null, revision: 0, check: { type: 
  * | { type: "policy_kept", text: string }
  * | { type: "policy_forgotten" }
  * | { type: "tokens", tokens: readonly Schemas["TokenView"][] }
+ * | { type: "addresses", addresses: readonly string[] }
+ * | { type: "phone_wanted" }
  * | { type: "token_made", token: Schemas["NewToken"] | null }
  * | { type: "faults", faults: readonly string[] }
  * | { type: "set_up_refused", place: Place, problem: Problem | null }
@@ -57,8 +61,12 @@ export function reduceSetUp(setUp, message) {
       return { ...setUp, draft: setUp.kept, revision: setUp.revision + 1, check: { type: "unknown" }, drafted: null, overtaken: false, refused: null };
     case "tokens":
       return { ...setUp, tokens: message.tokens };
+    case "addresses":
+      return { ...setUp, addresses: message.addresses };
+    case "phone_wanted":
+      return { ...setUp, needs_network: true, made: null };
     case "token_made":
-      return { ...setUp, made: message.token };
+      return { ...setUp, made: message.token, needs_network: false };
     case "faults":
       return { ...setUp, faults: message.faults, refused: null };
     case "set_up_refused":
@@ -66,7 +74,7 @@ export function reduceSetUp(setUp, message) {
     case "finding":
       return { ...setUp, finding: message.finding };
     case "tab":
-      return { ...setUp, made: null, refused: null };
+      return { ...setUp, made: null, needs_network: false, refused: null };
     default:
       return setUp;
   }

@@ -1,5 +1,6 @@
 // The state of the page: one tree, changed by `reduce` alone.
 
+import { NO_BUTTONS } from "./buttons.js";
 import { NO_CALIBRATE } from "./calibrate.js";
 import { NO_DRAW } from "./draw.js";
 import { NO_HISTORY } from "./history.js";
@@ -35,6 +36,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {boolean} is_token_unknown Whether the station does not know the token of this page.
  * @property {number | null} me The station's number for this client.
  * @property {Role | null} role
+ * @property {string | null} name The name of the person at this page; empty for none, null if nobody was asked.
  * @property {string} person By which name time slots know this page.
  * @property {boolean} says_name Whether that name is the page's own; a personal token sets it to the token's name.
  * @property {string} version
@@ -62,6 +64,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {import("./touch_paper.js").TouchPaper} touch_paper
  * @property {import("./set_up.js").SetUp} set_up
  * @property {import("./calibrate.js").Calibrate} calibrate
+ * @property {import("./buttons.js").Buttons} buttons
  * @property {import("./draw.js").Draw} draw
  * @property {import("./learn.js").Learn} learn
  * @property {import("./jobs.js").Jobs} jobs
@@ -75,12 +78,13 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {Theme} theme
  */
 
-/** @param {{ language: Language, theme: Theme, greeted: boolean, program: string }} wish @returns {Page} */
-export const begin = ({ language, theme, greeted, program }) => ({
+/** @param {{ language: Language, theme: Theme, greeted: boolean, program: string, name?: string | null }} wish @returns {Page} */
+export const begin = ({ language, theme, greeted, program, name = null }) => ({
   connection: "connecting",
   is_token_unknown: false,
   me: null,
   role: null,
+  name,
   person: "",
   says_name: false,
   version: "",
@@ -108,6 +112,7 @@ export const begin = ({ language, theme, greeted, program }) => ({
   touch_paper: NO_TOUCH_PAPER,
   set_up: NO_SET_UP,
   calibrate: NO_CALIBRATE,
+  buttons: NO_BUTTONS,
   draw: NO_DRAW,
   learn: NO_LEARN,
   jobs: NO_JOBS,

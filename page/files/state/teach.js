@@ -27,11 +27,12 @@
  * @property {{ to: number, of: number } | null} moved The new place of the step that was moved last.
  * @property {Mode} mode
  * @property {Schemas["MovingMode"]} path Path type of captured points.
+ * @property {number | null} recorded How many places of a jogged path are recorded; null if none is being recorded.
  * @property {number | null} job The job that was made of it last.
  */
 
 /** @type {Teach} */
-export const NO_TEACH = { text: "", name: "program.toml", past: [], future: [], revision: 0, report: null, refused: null, chosen: null, first: 0, dragged: null, carried: null, moved: null, mode: "table", path: "movj", job: null };
+export const NO_TEACH = { text: "", name: "program.toml", past: [], future: [], revision: 0, report: null, refused: null, chosen: null, first: 0, dragged: null, carried: null, moved: null, mode: "table", path: "movj", recorded: null, job: null };
 
 /** @typedef {{ type: "teach_text", text: string, chosen?: number | null, name?: string }
  * | { type: "teach_undo" }
@@ -45,6 +46,7 @@ export const NO_TEACH = { text: "", name: "program.toml", past: [], future: [], 
  * | { type: "teach_moved", to: number, of: number }
  * | { type: "teach_mode", mode: Mode }
  * | { type: "teach_path", path: Schemas["MovingMode"] }
+ * | { type: "teach_recorded", places: number | null }
  * | { type: "teach_job", job: number }} TeachMessage */
 
 /** The most undo steps. */
@@ -245,6 +247,8 @@ export function reduceTeach(teach, message) {
       return { ...teach, mode: message.mode };
     case "teach_path":
       return { ...teach, path: message.path };
+    case "teach_recorded":
+      return { ...teach, recorded: message.places };
     case "teach_job":
       return { ...teach, job: message.job, refused: null };
     default:

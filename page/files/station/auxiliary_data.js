@@ -1,5 +1,5 @@
-// Data fetched in addition to the states: earlier notices, the policy, the arm's facts, the name in the fleet, the world of a
-// virtual arm with its ink, and the path of the job.
+// Data fetched in addition to the states: earlier notices, the policy, the arm's facts, the world of a virtual
+// arm with its ink, and the path of the job.
 
 import { Ink, partsOf } from "../stage/ink.js";
 
@@ -27,12 +27,6 @@ export function followAuxiliaryData(store, http) {
     /** @type {Schemas["ArmFacts"] | undefined} */
     const facts = await http.json("api/v1/arm");
     if (facts && mine === reads) store.send({ type: "facts", facts });
-  }
-
-  async function readFleet() {
-    /** @type {Schemas["FleetView"] | undefined} */
-    const fleet = await http.json("api/v1/fleet");
-    store.send({ type: "fleet", name: fleet?.name ?? null });
   }
 
   async function readNotices() {
@@ -81,7 +75,6 @@ export function followAuxiliaryData(store, http) {
       void readNotices();
       void readPolicy();
       void readFacts();
-      void readFleet();
     }
     if (message.type === "closed") turn = 0;
     if (message.type === "notice" && message.notice.type === "policy_changed") {

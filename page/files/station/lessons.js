@@ -8,8 +8,6 @@ import { parse } from "../vendor/smol-toml/index.js";
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {ReturnType<typeof createLessons>} Lessons */
 
-/** Under what name it is reported, for as long as this tab is open: on a computer of a school the next one is another one. */
-const STUDENT = "dobot.student";
 /** Report interval: a station forgets a student after a minute without a report. */
 const REPORT_MS = 20_000;
 
@@ -22,7 +20,7 @@ export function createLessons(store, http) {
 
   /** Reports the student's progress if it changed, for the board of the fleet. */
   async function reportProgress() {
-    const progress = store.page.fleet === null ? null : progressOf(store.page.learn);
+    const progress = store.page.fleet === null ? null : progressOf(store.page);
     const text = JSON.stringify(progress);
     if (text === reported) return;
     reported = text;
@@ -41,7 +39,6 @@ export function createLessons(store, http) {
     reported = "";
     void reportProgress();
   }, REPORT_MS);
-  send({ type: "lesson_student", name: sessionStorage.getItem(STUDENT) ?? "" });
 
   return {
     next,
@@ -52,10 +49,5 @@ export function createLessons(store, http) {
       send({ type: "lesson", lesson, begun: begunNow(store.page) });
     },
     end: () => send({ type: "lesson", lesson: null, begun: begunNow(store.page) }),
-    /** Sets the student's name; empty for none. @param {string} name */
-    setStudent(name) {
-      sessionStorage.setItem(STUDENT, name);
-      send({ type: "lesson_student", name });
-    },
   };
 }

@@ -27,6 +27,9 @@ export function createSetUp(store, http, socket) {
       /** @type {Schemas["TokenView"][] | undefined} */
       const tokens = await http.json("api/v1/tokens");
       if (tokens) send({ type: "tokens", tokens });
+      /** @type {string[] | undefined} */
+      const addresses = await http.json("api/v1/addresses");
+      if (addresses) send({ type: "addresses", addresses });
     }
     if (store.page.station?.link.address !== "virtual:") return;
     /** @type {string[] | undefined} */
@@ -85,6 +88,15 @@ export function createSetUp(store, http, socket) {
       const token = await change("tokens", "POST", "api/v1/tokens", { name, role, shared });
       if (token) send({ type: "token_made", token });
       await read();
+    },
+    /** Makes a token for a phone, whose user gives a name there, if a phone can reach the station. @param {Schemas["Role"]} role */
+    async usePhone(role) {
+      const { tokens, addresses } = store.page.set_up;
+      if (!addresses.length) return send({ type: "phone_wanted" });
+      const taken = new Set(tokens?.map(({ name }) => name));
+      let name = "phone";
+      for (let number = 2; taken.has(name); number += 1) name = `phone ${number}`;
+      await this.makeToken(name, role, true);
     },
     /** @param {string} name */
     async removeToken(name) {

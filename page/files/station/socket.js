@@ -1,5 +1,6 @@
 // The WebSocket to the station: connects, reconnects, and delivers each answer to its requester. It draws nothing.
 
+import { DEVICE } from "../parts/name.js";
 import { SILENT_MS, watchSilence } from "./silence.js";
 
 /** @typedef {import("../state/types.js").Schemas} Schemas */
@@ -33,25 +34,26 @@ export function createSocket({ store, http }) {
   function connect() {
     store.send({ type: "connecting" });
     const url = new URL("api/v1/ws", location.href);
-    const name = store.page.learn.student || "page";
-    url.searchParams.set("name", name);
+    const { name } = store.page;
+    if (name) url.searchParams.set("name", name);
+    url.searchParams.set("device", DEVICE);
     url.protocol = url.protocol.replace("http", "ws");
     const token = http.token();
     const mine = socket = new WebSocket(url, token ? ["dobot", `dobot.token.${token}`] : ["dobot"]);
     const late = setTimeout(() => mine === socket && reconnect(), CONNECT_MS);
     mine.addEventListener("open", () => clearTimeout(late));
-    mine.addEventListener("message", (event) => mine === socket && handleMessage(JSON.parse(event.data), name));
+    mine.addEventListener("message", (event) => mine === socket && handleMessage(JSON.parse(event.data), name || "page"));
     mine.addEventListener("close", (event) => {
       clearTimeout(late);
       if (mine === socket) void tryAgain(event);
     });
   }
 
-  /** Abandons a silent connection, which may take minutes to close. */
+  /** Replaces the connection without waiting for its end: a silent one may take minutes to close. */
   function reconnect() {
-    const silent = socket;
+    const last = socket;
     socket = undefined;
-    silent?.close();
+    last?.close();
     lose();
     connect();
   }
@@ -63,13 +65,13 @@ export function createSocket({ store, http }) {
     store.send({ type: "closed", needs_token: false });
   }
 
-  /** @param {Schemas["ToClient"]} message @param {string} name the name that this page sent */
+  /** @param {Schemas["ToClient"]} message @param {string} name the name of this page */
   function handleMessage(message, name) {
     resetSilence();
     const now_ms = Date.now();
     if ("hello" in message) {
-      const { client, role, version, person = "" } = message.hello;
-      store.send({ type: "hello", client, role, version, person, says_name: person === name, now_ms });
+      const { client, role, version, fleet = null, person = "" } = message.hello;
+      store.send({ type: "hello", client, role, version, fleet, person, says_name: person === name, now_ms });
     } else if ("state" in message) {
       store.send({ type: "state", station: /** @type {Station} */ (message.state), now_ms });
     } else if ("notice" in message) {
@@ -115,7 +117,7 @@ export function createSocket({ store, http }) {
     isOpen,
     ask,
     takeControlIfFree,
-    /** Closes the connection; it reopens automatically, under the current name. */
-    again: () => socket?.close(),
+    /** Connects anew, under the current name. */
+    again: () => isOpen() && reconnect(),
   };
 }

@@ -3,6 +3,7 @@
 import { base64 } from "../parts/base64.js";
 import { rowsIn } from "../state/selectors.js";
 import { stepOf, titled } from "../state/teach.js";
+import { createRecorder } from "./record.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {import("../state/types.js").Schemas} Schemas */
@@ -88,8 +89,17 @@ export function createTeach(store, http, jobs) {
     return (teach.chosen === null ? null : stepOf(rowsIn(teach.text)[teach.chosen], teach.report)) ?? 1;
   }
 
+  /** Adds a jogged path, and selects its last step. @param {{ places: Schemas["RecordedPlace"][], tolerance_mm: number }} path */
+  async function insertPath(path) {
+    const at = behind(), before = rowsIn(store.page.teach.text).length;
+    if (!(await edit([{ type: "insert_path", at, ...path }], null))) return false;
+    send({ type: "teach_chosen", row: at + rowsIn(store.page.teach.text).length - before - 1 });
+    return true;
+  }
+
   return {
     insert,
+    recorder: createRecorder(store, insertPath),
     /** The place where the arm is, as a step. */
     capture() {
       const go = here();

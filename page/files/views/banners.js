@@ -7,6 +7,7 @@ import { isSamePerson, timeNext, timeNow } from "../state/slots.js";
 import { formatDuration } from "../i18n/i18n.js";
 import { confirmation } from "./confirm.js";
 import { sentence } from "../i18n/problem_text.js";
+import { stopText } from "./people.js";
 import { problemLine } from "./problem.js";
 import { tokenForm } from "./token.js";
 
@@ -49,7 +50,7 @@ function slot(context) {
   return html`
     <section id="slot" class="banner" data-tone=${others || ends ? "warn" : "good"}>
       <p><strong role="status">${title}</strong> <span id="slot-time">${time} ${then}</span></p>
-      ${others && page.says_name ? html`<button id="slot-me" type="button" @click=${() => act.setStudent(others.student)}>${t("slots.me", { name: others.student })}</button>` : nothing}
+      ${others && page.says_name ? html`<button id="slot-me" type="button" @click=${() => act.setName(others.student)}>${t("slots.me", { name: others.student })}</button>` : nothing}
     </section>`;
 }
 
@@ -67,11 +68,10 @@ function message({ page, t, act }) {
 function stopped({ page, t, act }) {
   const stop = page.station?.stop;
   if (!stop) return nothing;
-  const why = stop.reason ? `: ${stop.reason}` : "";
   const rest = t(!stop.delivered ? "stopped.not_delivered" : stop.at_rest ? "stopped.at_rest" : "stopped.moving");
   return html`
     <section id="stopped" class="banner" data-tone="bad" role="alert">
-      <p><strong>${t("stopped.title")}</strong> <span id="stopped-by">${t(stop.of_fleet ? "stopped.by_fleet" : "stopped.by", { by: stop.by, why, rest })}</span></p>
+      <p><strong>${t("stopped.title")}</strong> <span id="stopped-by">${stopText(page, t, stop, rest)}</span></p>
       <button id="reset" type="button" ?disabled=${!stop.at_rest} @click=${() => act.question({ about: "reset_stop" })}>${t("stopped.reset")}</button>
     </section>`;
 }

@@ -2,7 +2,9 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
+import { LABEL } from "../i18n/i18n.js";
 import { LESSONS, stepNow } from "../state/learn.js";
+import { nameForm } from "./name.js";
 import { problemText } from "../i18n/problem_text.js";
 
 /** @typedef {import("./context.js").Context} Context */
@@ -15,8 +17,8 @@ export function learn(context) {
   if (!lesson || !step) return nothing;
   return html`
     <section id="lesson" class="first" aria-labelledby="lesson-title">
-      <p class="quiet"><span id="lesson-title">${lesson.title[page.language]}</span> · ${t("learn.step", { step: page.learn.step + 1, steps: lesson.steps.length })}</p>
-      <p id="lesson-text" role="status">${step.text[page.language]}</p>
+      <p class="quiet"><span id="lesson-title">${t(`learn.${lesson.name}`)}</span> · ${t("learn.step", { step: page.learn.step + 1, steps: lesson.steps.length })}</p>
+      <p id="lesson-text" role="status">${withLabels(t, t(/** @type {import("../i18n/i18n.js").TextKey} */ (`lesson.${lesson.name}.${page.learn.step + 1}`)))}</p>
       ${step.until?.answer ? answer(context) : nothing}
       ${page.fleet === null ? nothing : student(context)}
       <div class="row">
@@ -27,23 +29,18 @@ export function learn(context) {
     </section>`;
 }
 
+/** A text with the labels of the controls that it names by their keys: [tab.move]. @param {Context["t"]} t @param {string} text */
+const withLabels = (t, text) => text.split(LABEL).map((part, n) => (n % 2 ? html`<strong>${t(/** @type {import("../i18n/i18n.js").TextKey} */ (part)).replace(/ ?…$/, "")}</strong>` : part));
+
 /** @param {Context} context */
 const answer = ({ page, t, act }) => html`
   <label class="answer">${t("learn.answer")} <input id="lesson-answer" inputmode="decimal" autocomplete="off" .value=${live(page.learn.answer)} @input=${(/** @type {Event} */ event) => act.send({ type: "lesson_answer", text: /** @type {HTMLInputElement} */ (event.target).value })}></label>`;
 
 /** Under what name the board shows how far this page is. @param {Context} context */
-function student({ page, t, act }) {
-  const tell = (/** @type {SubmitEvent} */ event) => {
-    event.preventDefault();
-    const field = /** @type {HTMLInputElement} */ (/** @type {HTMLFormElement} */ (event.currentTarget).elements.namedItem("student"));
-    act.lessons.setStudent(field.value.trim());
-  };
-  if (page.learn.student) return html`<p class="row"><span id="lesson-student" class="quiet">${page.learn.reportProblem ? problemText(t, page.learn.reportProblem) : t("learn.student.shown", { name: page.learn.student })}</span> <button id="lesson-not-me" type="button" class="small" @click=${() => act.lessons.setStudent("")}>${t("learn.student.other")}</button></p>`;
-  return html`
-    <form id="lesson-who" class="row" @submit=${tell}>
-      <input name="student" type="text" maxlength="60" required autocomplete="off" aria-label=${t("learn.student")} placeholder=${t("learn.student")}>
-      <button type="submit" class="small">${t("learn.student.send")}</button>
-    </form>`;
+function student(context) {
+  const { page, t, act } = context;
+  if (page.name) return html`<p class="row"><span id="lesson-student" class="quiet">${page.learn.reportProblem ? problemText(t, page.learn.reportProblem) : t("learn.student.shown", { name: page.name })}</span> <button id="lesson-not-me" type="button" class="small" @click=${() => act.setName("")}>${t("name.not_me")}</button></p>`;
+  return html`<p class="quiet">${t("learn.student")}</p>${nameForm(context, "lesson-who")}`;
 }
 
 /** @param {Context} context */

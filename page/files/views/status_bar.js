@@ -2,6 +2,7 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { hasControl, isVirtual, laser, othersTime } from "../state/selectors.js";
+import { clientName, holderText } from "./people.js";
 import { formatClock } from "../i18n/i18n.js";
 
 /** @typedef {import("./context.js").Context} Context */
@@ -35,14 +36,13 @@ function control(context) {
   const { lease } = station;
   const mine = hasControl(page);
   const asked = lease?.asked_by.some((client) => client.client === me) ?? false;
-  if (othersTime(page)) return html`<div class="control"><span id="holder">${t("slots.holder", { name: lease ? lease.name : t("slots.nobody") })}</span></div>`;
-  const holder = mine ? t("control.mine") : lease ? t("control.others", { name: lease.name }) : t("control.free");
+  if (othersTime(page)) return html`<div class="control"><span id="holder">${t("slots.holder", { name: lease ? clientName(t, lease) : t("slots.nobody") })}</span></div>`;
   return html`
     <div class="control">
-      <span id="holder" role="status">${holder}</span>
+      <span id="holder" role="status">${holderText(page, t)}</span>
       ${lease === null || (lease.is_program && !mine) ? html`<button id="take" type="button" class="small" @click=${() => act.ask({ type: "take_lease" })}>${t("control.take")}</button>` : nothing}
       ${mine ? html`<button id="release" type="button" class="small" @click=${() => act.ask({ type: "release_lease" })}>${t("control.release")}</button>` : nothing}
       ${lease && !mine && !lease.is_program ? html`<button id="ask" type="button" class="small" ?disabled=${asked} @click=${() => act.ask({ type: "ask_lease" })}>${t(asked ? "control.requested" : "control.request")}</button>` : nothing}
-      ${mine ? lease?.asked_by.map(({ client, name }) => html`<button type="button" class="small strong give" @click=${() => act.ask({ type: "grant_lease", to: client })}>${t("control.hand_over", { name })}</button>`) : nothing}
+      ${mine ? lease?.asked_by.map(({ client, ...who }) => html`<button type="button" class="small strong give" @click=${() => act.ask({ type: "grant_lease", to: client })}>${t("control.hand_over", { name: clientName(t, who) })}</button>`) : nothing}
     </div>`;
 }

@@ -1,11 +1,13 @@
 // The welcome card for the virtual arm.
 
-import { html, nothing } from "../vendor/lit-html/lit-html.js";
+import { html } from "../vendor/lit-html/lit-html.js";
 import { isVirtual } from "../state/selectors.js";
 
+/** Whether the card is shown. @param {import("../state/state.js").Page} page */
+export const welcomes = (page) => !page.greeted && isVirtual(page);
+
 /** @param {import("./context.js").Context} context */
-export function welcome({ page, t, act }) {
-  if (page.greeted || !isVirtual(page)) return nothing;
+export function welcome({ t, act }) {
   const choose = (/** @type {import("../state/state.js").Tab} */ tab) => {
     act.send({ type: "greeted" });
     act.send({ type: "tab", tab });

@@ -331,6 +331,7 @@ fn fire_drill() -> StoppedBy {
     StoppedBy {
         by: "Ms Weber".into(),
         reason: Some("fire drill".into()),
+        ..StoppedBy::default()
     }
 }
 

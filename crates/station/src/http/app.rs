@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
 use dobot_api::problem_kinds::TOO_MANY_CLIENTS;
-use dobot_api::{Problem, Role, StationAddress};
+use dobot_api::{Device, Problem, Role, StationAddress};
 use dobot_host::{OwnVirtualArm, PlannedFor, StationHandle};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 use tokio::time::Instant;
@@ -17,6 +17,7 @@ use crate::http::access::rate::Addresses;
 use crate::http::access::tokens::Tokens;
 use crate::http::agents::HttpAgents;
 use crate::http::fleet_routes::learners::Learners;
+use crate::http::resources::custom_buttons::CustomButtons;
 use crate::http::resources::drawings::Drawings;
 use crate::http::resources::recordings::Recordings;
 use crate::http::serve::listen::ConnectionSlot;
@@ -31,6 +32,8 @@ pub(super) struct App {
     pub(super) without_token: Option<Role>,
     /// The names of the station, besides its addresses.
     pub(super) names: Vec<String>,
+    /// The address on which it listens, and whether with TLS.
+    pub(super) listens: (SocketAddr, bool),
     /// The file of the policy.
     pub(super) policy_file: PathBuf,
     /// The station's own virtual arm, if its arm is virtual.
@@ -41,6 +44,7 @@ pub(super) struct App {
     /// The planned drawings.
     pub(super) drawings: Drawings,
     pub(super) recordings: Recordings,
+    pub(super) buttons: CustomButtons,
     /// The tools for agents.
     pub(super) agents: HttpAgents,
     learners: Mutex<Learners>,
@@ -67,6 +71,8 @@ pub(super) struct Reach {
     pub(super) own: StationAddress,
     /// Its names, besides its addresses.
     pub(super) names: Vec<String>,
+    /// The address on which it listens, and whether with TLS.
+    pub(super) listens: (SocketAddr, bool),
 }
 
 /// The files that requests read and change.
@@ -76,6 +82,8 @@ pub(super) struct AppFiles {
     pub(super) policy: PathBuf,
     /// The folder of the recordings.
     pub(super) recordings: PathBuf,
+    /// The file of the buttons that people have added to the page.
+    pub(super) buttons: PathBuf,
 }
 
 impl App {
@@ -93,12 +101,14 @@ impl App {
             tokens: Mutex::new(tokens),
             without_token,
             names: reach.names,
+            listens: reach.listens,
             policy_file: files.policy,
             virtual_arm,
             faults: Mutex::default(),
             http_leases: HttpLeases::default(),
             drawings: Drawings::default(),
             recordings: Recordings::new(files.recordings),
+            buttons: CustomButtons::at(files.buttons),
             agents: HttpAgents::new(reach.own),
             learners: Mutex::default(),
             fleet: OnceLock::new(),
@@ -254,13 +264,50 @@ impl Stay {
 }
 
 impl Caller {
+    /// Returns the name of a client that gives this name, if any: on a page the name of a personal
+    /// token counts.
+    pub(super) fn name_of(&self, given: Option<&str>, device: Option<Device>) -> String {
+        match (given, device) {
+            (_, Some(_)) if self.is_person => self.name.clone(),
+            (Some(given), _) => given.to_owned(),
+            (None, Some(_)) => NAMELESS_PAGE.to_owned(),
+            (None, None) => self.name.clone(),
+        }
+    }
+
     /// Returns the name by which time slots identify the caller, if it gives this name.
     pub(super) fn person<'a>(&'a self, name: &'a str) -> &'a str {
         if self.is_person { &self.name } else { name }
     }
 }
 
+/// The name of a page whose user gives none.
+const NAMELESS_PAGE: &str = "page";
+
 /// Waits until the station ends.
 pub(super) async fn ended(mut ending: watch::Receiver<bool>) {
     drop(ending.wait_for(|&ends| ends).await);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_page_has_the_name_that_its_user_gives_unless_the_token_says_who_it_is() {
+        let mut caller = Caller {
+            name: "a program on this computer".into(),
+            role: Role::Control,
+            is_person: false,
+            token: None,
+        };
+        let phone = Some(Device::Phone);
+        assert_eq!(caller.name_of(None, None), "a program on this computer");
+        assert_eq!(caller.name_of(Some("blink.py"), None), "blink.py");
+        assert_eq!(caller.name_of(Some("Anna"), phone), "Anna");
+        assert_eq!(caller.name_of(None, phone), "page");
+        caller.name = "Ben".into();
+        caller.is_person = true;
+        assert_eq!(caller.name_of(Some("Anna"), phone), "Ben");
+    }
 }

@@ -132,7 +132,9 @@ async fn serve(mut messages: mpsc::Receiver<Message>, news: Arc<FakeNews>, asked
                 news.resets.lock().expect("as above").push(by);
                 let _ = reply.send(Vec::new());
             }
-            Message::Trouble(text) => news.trouble.lock().expect("as above").push(text),
+            Message::Buttons(text) | Message::Trouble(text) => {
+                news.trouble.lock().expect("as above").push(text)
+            }
             Message::Failed(text) => panic!("{text}"),
             Message::End => break,
         }
@@ -187,6 +189,7 @@ fn granted(client: ClientId, request: &Request) -> Reply {
             lease: Some(LeaseView {
                 client,
                 name: "test".into(),
+                device: None,
                 person: "test".into(),
                 is_program: false,
                 since_s: 3.0,

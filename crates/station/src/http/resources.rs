@@ -1,5 +1,6 @@
 //! Resources of the API other than the arm.
 
+pub(crate) mod custom_buttons;
 pub(crate) mod drawings;
 pub(crate) mod metrics;
 pub(crate) mod page;

@@ -2,9 +2,11 @@
 //!
 //! Each request is a row, with its body type next to it: see `docs/recipes.md`, "Add a request".
 
+mod addresses;
 mod agents;
 mod arm;
 mod calibration;
+mod custom_buttons;
 mod drawings;
 mod fleet;
 mod jobs;
@@ -70,9 +72,11 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         calibration::all(),
         jobs::all(),
         programs::all(),
+        custom_buttons::all(),
         recordings::all(),
         drawings::all(),
         tokens::all(),
+        addresses::all(),
         virtual_arm::all(),
         fleet::all(),
         agents::all(),

@@ -8,6 +8,7 @@ mod arm_facts;
 mod attacks;
 mod bad_input;
 mod calibrating;
+mod custom_buttons;
 mod document;
 mod drawings;
 mod fleet;
@@ -103,10 +104,12 @@ impl Harness {
             Reach {
                 own: StationAddress::new(&format!("http://{to}")).unwrap(),
                 names: vec!["arm.local".into()],
+                listens: (to.parse().unwrap(), false),
             },
             AppFiles {
                 policy: folder.path().join("policy.toml"),
                 recordings: folder.path().join("recordings"),
+                buttons: folder.path().join("buttons.json"),
             },
             Some(own_virtual_arm()),
             ending,

@@ -23,7 +23,10 @@ impl Harness<SocketAddr> {
     async fn program(&mut self) -> TcpStream {
         let program = self.come().await;
         let from = program.local_addr().expect("it is connected");
-        assert_eq!(self.admit().await, format!("raw program {from}"));
+        assert_eq!(
+            self.admit().await,
+            format!("a program on this computer (port {})", from.port())
+        );
         program
     }
 }
@@ -80,7 +83,7 @@ async fn a_second_raw_client_is_refused_with_the_reason_and_the_first_is_still_s
     let reason = read_to_end(&mut second).await;
     let [first_name, second_name] = [&first, &second].map(|socket| {
         let from = socket.local_addr().expect("it is connected");
-        format!("raw program {from}")
+        format!("a program on this computer (port {})", from.port())
     });
     assert!(reason.contains(&first_name), "{reason}");
     assert!(reason.is_ascii() && reason.ends_with("\r\n"), "{reason}");

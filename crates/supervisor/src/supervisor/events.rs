@@ -142,6 +142,7 @@ impl Supervisor {
         let by = StoppedBy {
             by: plain(&by.by, REASON_LEN),
             reason: by.reason.map(|reason| plain(&reason, REASON_LEN)),
+            ..by
         };
         let stop = self.stop_latch.make_fleet_stop(origin, by, now_ms);
         let reply = self.bring_to_rest(&stop.text(), StopLatch::hold);

@@ -4,7 +4,8 @@ use std::collections::HashMap;
 use std::time::Duration;
 
 use dobot_api::{
-    ClientId, ControlRequest, LeaseView, LockView, Role, SlotsView, TimeSlot, is_same_person,
+    ClientId, ControlRequest, Device, LeaseView, LockView, Role, SlotsView, TimeSlot,
+    is_same_person,
 };
 
 use super::slots::{SlotChange, Slots};
@@ -26,6 +27,8 @@ pub(super) struct Leases {
 #[derive(Debug)]
 struct LeaseClient {
     name: String,
+    /// The device of a page.
+    device: Option<Device>,
     /// The person for time slots.
     person: String,
     role: Role,
@@ -89,6 +92,7 @@ impl Leases {
             client,
             LeaseClient {
                 name: plain(name, NAME_LEN),
+                device: None,
                 person: plain(person, NAME_LEN),
                 role,
                 is_program: false,
@@ -96,6 +100,13 @@ impl Leases {
             },
         );
         client
+    }
+
+    /// Sets the device on which a client is open as a page.
+    pub(super) fn set_device(&mut self, client: ClientId, device: Option<Device>) {
+        if let Some(known) = self.clients.get_mut(&client) {
+            known.device = device;
+        }
     }
 
     /// Removes a client that disconnected, on purpose or not.
@@ -364,12 +375,22 @@ impl Leases {
             .is_some_and(|client| client.is_program)
     }
 
-    /// Returns a client's name.
+    /// Returns a client's name, with the device of a page.
     pub(super) fn name(&self, client: ClientId) -> String {
+        Device::named(&self.bare_name(client), self.device(client))
+    }
+
+    /// Returns a client's name alone.
+    pub(super) fn bare_name(&self, client: ClientId) -> String {
         self.clients.get(&client).map_or_else(
             || format!("client {}", client.0),
             |client| client.name.clone(),
         )
+    }
+
+    /// Returns the device of a page.
+    pub(super) fn device(&self, client: ClientId) -> Option<Device> {
+        self.clients.get(&client).and_then(|client| client.device)
     }
 
     pub(super) fn clients(&self) -> usize {
@@ -379,11 +400,13 @@ impl Leases {
     pub(super) fn view(&self) -> Option<LeaseView> {
         let asking = |&client: &ClientId| ControlRequest {
             client,
-            name: self.name(client),
+            name: self.bare_name(client),
+            device: self.device(client),
         };
         self.lease.as_ref().map(|lease| LeaseView {
             client: lease.client,
-            name: self.name(lease.client),
+            name: self.bare_name(lease.client),
+            device: self.device(lease.client),
             person: self.person(lease.client).to_owned(),
             is_program: self.is_program(lease.client),
             since_s: lease.since.as_secs_f64(),

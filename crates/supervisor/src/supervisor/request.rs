@@ -2,7 +2,9 @@
 
 use std::time::Duration;
 
-use dobot_api::{Button, Calibrations, ClientId, Jog, News, Reply, Request, Role, TimeSlot};
+use dobot_api::{
+    Button, Calibrations, ClientId, Device, Jog, News, Reply, Request, Role, TimeSlot,
+};
 use dobot_arm::{Degrees, Pose, Position};
 use dobot_safety::Policy;
 use dobot_wire::{Command, Configuration, Dialect, Packet, single};
@@ -30,6 +32,12 @@ impl Supervisor {
         self.handle_time(now);
         self.outgoing.note_change();
         self.leases.handle_client(name, role, person)
+    }
+
+    /// Handles the kind of device on which a client is open as a page.
+    pub fn handle_device(&mut self, client: ClientId, device: Option<Device>) {
+        self.leases.set_device(client, device);
+        self.outgoing.note_change();
     }
 
     /// Handles a disconnected client, on purpose or not: its lease ends and its button is released.
@@ -301,7 +309,12 @@ impl Supervisor {
         let by = self.client_name(client);
         let why = format!("the arm was stopped by {by}");
         let reason = reason.map(|reason| plain(&reason, REASON_LEN));
-        let by = StoppedBy { by, reason };
+        let by = StoppedBy {
+            by: self.leases.bare_name(client),
+            device: self.leases.device(client),
+            client: Some(client),
+            reason,
+        };
         self.bring_to_rest(&why, |stop, now, rests_within, delivered| {
             stop.handle_stop(now, by, rests_within, delivered)
         })

@@ -3,7 +3,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{FleetWideStop, StopView};
+use dobot_api::{ClientId, Device, FleetWideStop, StopView};
 use serde::{Deserialize, Serialize};
 
 use super::fleet_stops::{Adopted, FleetStops, SavedFleetStop};
@@ -16,6 +16,12 @@ use crate::refusal::Refusal;
 pub struct StoppedBy {
     /// The name.
     pub by: String,
+    /// The device, if it was a page.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub device: Option<Device>,
+    /// The client, if it is one of this station; not saved, because numbers start again.
+    #[serde(skip)]
+    pub client: Option<ClientId>,
     /// The reason.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
@@ -185,7 +191,7 @@ impl StopLatch {
                 last: (stop, of_fleet),
                 ..
             }) => Err(Refusal::Stopped {
-                by: stop.by.clone(),
+                by: Device::named(&stop.by, stop.device),
                 reason: stop.reason.clone(),
                 of_fleet: *of_fleet,
             }),
@@ -208,6 +214,8 @@ impl StopLatch {
     pub(super) fn view(&self) -> Option<StopView> {
         self.holding.as_ref().map(|holding| StopView {
             by: holding.last.0.by.clone(),
+            device: holding.last.0.device,
+            client: holding.last.0.client,
             reason: holding.last.0.reason.clone(),
             at_s: holding.at.as_secs_f64(),
             rests_by_s: holding.rests_by.as_secs_f64(),
@@ -233,6 +241,7 @@ impl StopLatch {
         let fleet = self.fleet.holding().map(|stop| StoppedBy {
             by: stop.by.clone(),
             reason: stop.reason.clone(),
+            ..StoppedBy::default()
         });
         let own = self.own.clone().map(|stop| (stop, false));
         fleet.map(|stop| (stop, true)).or(own)

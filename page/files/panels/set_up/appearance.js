@@ -1,8 +1,9 @@
 // Language and theme of the page.
 
-import { html } from "../../vendor/lit-html/lit-html.js";
+import { html, nothing } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";
-import { LANGUAGES } from "../../i18n/i18n.js";
+import { nameForm } from "../../views/name.js";
+import { TEXTS } from "../../i18n/i18n.js";
 
 /** @typedef {import("../../i18n/i18n.js").Language} Language */
 
@@ -10,19 +11,21 @@ import { LANGUAGES } from "../../i18n/i18n.js";
 const THEMES = ["auto", "light", "dark"];
 
 /** @param {import("../../views/context.js").Context} context */
-export function looks({ page, t, act }) {
+export function looks(context) {
+  const { page, t, act } = context;
   return html`
     <section class="card" aria-labelledby="looks-title">
       <h2 id="looks-title">${t("set.looks")}</h2>
       <fieldset class="segments">
         <legend>${t("set.language")}</legend>
-        ${Object.entries(LANGUAGES).map(([it, name]) => html`<label lang=${it}><input type="radio" name="language" value=${it} .checked=${live(it === page.language)} @change=${() => act.send({ type: "language", language: /** @type {Language} */ (it) })}><span>${name}</span></label>`)}
+        ${Object.entries(TEXTS).map(([it, { language }]) => html`<label lang=${it}><input type="radio" name="language" value=${it} .checked=${live(it === page.language)} @change=${() => act.send({ type: "language", language: /** @type {Language} */ (it) })}><span>${language}</span></label>`)}
       </fieldset>
       <fieldset class="segments">
         <legend>${t("set.theme")}</legend>
         ${THEMES.map((choice) => html`<label><input type="radio" name="theme" value=${choice} .checked=${live(choice === page.theme)} @change=${() => act.send({ type: "theme", theme: choice })}><span>${t(`set.${choice}`)}</span></label>`)}
       </fieldset>
-      <p><button id="lessons-open" type="button" class="small" @click=${() => act.send({ type: "lesson_choose", open: true })}>${t("learn.open")}</button></p>
+      ${page.says_name ? html`<p class="quiet">${t("name.why")}</p>${nameForm(context, "looks-name")}` : nothing}
+      <p class="row"><button id="lessons-open" type="button" class="small" @click=${() => act.send({ type: "lesson_choose", open: true })}>${t("learn.open")}</button></p>
       <p class="quiet">${t("set.version", { version: page.version })}</p>
     </section>`;
 }

@@ -20,7 +20,7 @@ function qr(text, label) {
 /** @param {Context} context */
 export function tokens(context) {
   const { page, t, act } = context;
-  const { tokens, made } = page.set_up;
+  const { tokens, made, addresses, needs_network } = page.set_up;
   if (!tokens) return nothing;
   const make = (/** @type {SubmitEvent} */ event) => {
     event.preventDefault();
@@ -29,8 +29,16 @@ export function tokens(context) {
     void act.setUp.makeToken(field("name").value.trim(), /** @type {Role} */ (field("role").value), field("shared").checked);
     form.reset();
   };
-  const address = made ? `${location.origin}/#token=${made.secret}` : "";
   const isLoopback = ["localhost", "127.0.0.1", "[::1]"].includes(location.hostname);
+  const site = isLoopback ? (addresses[0] ?? location.origin) : location.origin;
+  // After the #, the token is in no log.
+  const address = made ? `${site}/#token=${made.secret}` : "";
+  const phone = (/** @type {SubmitEvent} */ event) => {
+    event.preventDefault();
+    const role = /** @type {HTMLSelectElement} */ (/** @type {HTMLFormElement} */ (event.currentTarget).elements.namedItem("role"));
+    void act.setUp.usePhone(/** @type {Role} */ (role.value));
+  };
+  const roles = (/** @type {string} */ label) => html`<select name="role" aria-label=${label}>${ROLES.map((role) => html`<option value=${role} ?selected=${role === "control"}>${t(`role.${role}`)}</option>`)}</select>`;
   return html`
     <section class="card" aria-labelledby="tokens-title">
       <h2 id="tokens-title">${t("tokens")}</h2>
@@ -39,9 +47,14 @@ export function tokens(context) {
         ${tokens.map(({ name, role, shared }) => html`<li><span>${name} <b class="chip">${t(`role.${role}`)}</b>${shared ? html` <b class="chip">${t("tokens.is_shared")}</b>` : nothing}</span>
           <button type="button" class="small" aria-label=${t("tokens.remove", { name })} @click=${() => act.question({ about: "remove_token", values: { name } })}>×</button></li>`)}
       </ul>
+      <form id="phone" class="row" @submit=${phone}>
+        <button id="phone-use" type="submit" class="small strong">${t("phone.use")}</button>
+        ${roles(t("phone.role"))}
+      </form>
+      ${needs_network ? html`<p id="phone-near" class="status" data-tone="warn" role="status">${t("phone.near")}</p>` : nothing}
       <form id="token-new" class="row" @submit=${make}>
         <input name="name" type="text" required maxlength="60" autocomplete="off" placeholder=${t("tokens.name")} aria-label=${t("tokens.name")}>
-        <select name="role" aria-label=${t("tokens.role")}>${ROLES.map((role) => html`<option value=${role} ?selected=${role === "control"}>${t(`role.${role}`)}</option>`)}</select>
+        ${roles(t("tokens.role"))}
         <label class="check"><input name="shared" type="checkbox"> ${t("tokens.shared")}</label>
         <button type="submit" class="small">${t("tokens.create")}</button>
       </form>
@@ -50,8 +63,8 @@ export function tokens(context) {
           <p><strong>${t("tokens.once", { name: made.name })}</strong></p>
           ${qr(address, t("tokens.qr"))}
           <p><code id="token-secret">${made.secret}</code></p>
-          <p class="quiet"><a href=${address} rel="noreferrer">${address.slice(0, 60)}…</a></p>
-          ${isLoopback ? html`<p class="status" data-tone="warn">${t("tokens.loopback")}</p>` : nothing}
+          <p class="quiet"><a id="token-address" href=${address} rel="noreferrer">${address.slice(0, 60)}…</a></p>
+          <p class="status" data-tone=${isLoopback && !addresses.length ? "warn" : "off"}>${t(isLoopback && !addresses.length ? "phone.near" : "phone.hint")}</p>
         </div>` : nothing}
       ${refusal(context, "tokens")}
     </section>`;

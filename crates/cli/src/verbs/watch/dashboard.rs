@@ -304,6 +304,8 @@ mod tests {
         let stopped = with(|state| {
             state.stop = Some(StopView {
                 by: "the page".into(),
+                device: None,
+                client: None,
                 reason: Some("smoke".into()),
                 at_s: 10.0,
                 rests_by_s: 10.5,

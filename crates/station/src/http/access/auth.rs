@@ -161,7 +161,11 @@ const FETCH_MODE: HeaderName = HeaderName::from_static("sec-fetch-mode");
 /// Returns the caller, by its token or by the default role.
 fn identify(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Problem> {
     let anyone = |role| Caller {
-        name: if peer.by_fleet { "fleet" } else { "http" }.into(),
+        name: if peer.by_fleet {
+            "fleet".to_owned()
+        } else {
+            client_from(peer.from.ip(), request.headers().contains_key(FETCH_SITE))
+        },
         role,
         is_person: false,
         token: None,
@@ -182,6 +186,15 @@ fn identify(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Problem
         },
         None if is_open(request) || peer.by_fleet => Ok(anyone(Role::Watch)),
         None => app.without_token.map(anyone).ok_or_else(no_token),
+    }
+}
+
+/// Returns the name of a client that gives none: a page, if a browser sends for it, or a program.
+fn client_from(address: IpAddr, is_browser: bool) -> String {
+    let what = if is_browser { "a page" } else { "a program" };
+    match address.to_canonical() {
+        address if address.is_loopback() => format!("{what} on this computer"),
+        address => format!("{what} from {address}"),
     }
 }
 

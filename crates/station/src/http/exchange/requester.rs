@@ -9,7 +9,7 @@ use axum::http::request::Parts;
 use axum::http::{HeaderName, Method, StatusCode, Uri};
 use axum::response::{IntoResponse, Response};
 use dobot_api::problem_kinds::{self, BAD_POLICY, METHOD, POLICY_FILE, ProblemKind, UNKNOWN_PATH};
-use dobot_api::{NewJob, Notice, Reply, Request, Role, write_private};
+use dobot_api::{Device, NewJob, Notice, Reply, Request, Role, write_private};
 use dobot_host::Client;
 use dobot_safety::{KeepOutEdit, Policy};
 use dobot_supervisor::{Refusal, is_plain};
@@ -90,15 +90,19 @@ impl Requester {
                 let (role, now) = (self.caller.role, self.app.now());
                 Ok(self.app.http_leases.find(token, role, now)?)
             }
-            None => self.come(&self.caller.name).await,
+            None => self.come(&self.caller.name, None).await,
         }
     }
 
     /// Registers a new client.
-    pub(crate) async fn come(&self, name: &str) -> Result<Arc<Client>, RequestFailed> {
+    pub(crate) async fn come(
+        &self,
+        name: &str,
+        device: Option<Device>,
+    ) -> Result<Arc<Client>, RequestFailed> {
         let (role, person) = (self.caller.role, self.caller.person(name));
-        let client = self.app.handle.client_of(name, role, person).await?;
-        Ok(Arc::new(client))
+        let client = self.app.handle.page_of(name, role, person, device);
+        Ok(Arc::new(client.await?))
     }
 }
 
@@ -113,7 +117,8 @@ pub(crate) fn queued(reply: Json<Reply>) -> Response {
 
 /// Whether a client may have this name.
 pub(crate) fn is_name(name: &str) -> bool {
-    (1..=60).contains(&name.chars().count()) && name.chars().all(is_plain)
+    let is_seen = !name.trim().is_empty();
+    is_seen && name.chars().count() <= 60 && name.chars().all(is_plain)
 }
 
 pub(crate) async fn state(State(app): State<Arc<App>>) -> Response {

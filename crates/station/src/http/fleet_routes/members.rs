@@ -151,6 +151,7 @@ pub(crate) async fn stop(
         let by = StoppedBy {
             by: requester.at(port),
             reason: reason.clone(),
+            ..StoppedBy::default()
         };
         // Even if this station is ending, the others are stopped.
         let stopped = requester.app.handle.stop_fleet(port.id(), by).await;

@@ -14,7 +14,7 @@ use axum::extract::{Query as UrlQuery, State};
 use axum::http::Uri;
 use axum::response::Response;
 use dobot_api::problem_kinds::{MALFORMED, UPGRADE};
-use dobot_api::{Problem, Role};
+use dobot_api::{Device, Problem, Role};
 use futures_util::StreamExt;
 use schemars::SchemaGenerator;
 use serde::Deserialize;
@@ -34,6 +34,7 @@ pub(crate) struct SocketOptions {
     states: Option<f64>,
     notices: Option<bool>,
     name: Option<String>,
+    device: Option<Device>,
 }
 
 /// The options as query parameters, for the document.
@@ -53,6 +54,11 @@ pub(crate) const QUERIES: &[Query] = &[
         what: "Name of the client, 1 to 60 characters",
         schema: SchemaGenerator::subschema_for::<String>,
     },
+    Query {
+        name: "device",
+        what: "Device of a page, shown with its name",
+        schema: SchemaGenerator::subschema_for::<Device>,
+    },
 ];
 
 /// The parameters for clients that only watch.
@@ -62,10 +68,11 @@ impl SocketOptions {
     /// Parses the options of a client that only watches, which needs no name.
     pub(crate) fn of_one_who_watches(uri: &Uri) -> Result<Self, Problem> {
         let wants = Self::of(uri)?;
-        if wants.name.is_some() {
-            return Err(
-                MALFORMED.problem("query: unknown parameter name; allowed are states and notices")
-            );
+        let unknown = wants.name.as_ref().map(|_| "name");
+        if let Some(unknown) = unknown.or(wants.device.map(|_| "device")) {
+            return Err(MALFORMED.problem(format!(
+                "query: unknown parameter {unknown}; allowed are states and notices"
+            )));
         }
         Ok(wants)
     }
@@ -94,7 +101,8 @@ impl SocketOptions {
             )));
         }
         if self.name.as_ref().is_some_and(|name| !is_name(name)) {
-            return Err(MALFORMED.problem("name: allowed are 1 to 60 printable characters"));
+            return Err(MALFORMED
+                .problem("name: allowed are 1 to 60 printable characters, not only spaces"));
         }
         Ok(())
     }
@@ -115,9 +123,10 @@ pub(crate) async fn upgrade(
     let wants = SocketOptions::of(&uri)?;
     let upgrade = upgrade.map_err(|error| UPGRADE.problem(error.body_text()))?;
     let place = app.place()?;
-    let name = wants.name.clone().unwrap_or_else(|| caller.name.clone());
+    let name = caller.name_of(wants.name.as_deref(), wants.device);
     let person = caller.person(&name);
-    let client = app.handle.client_of(&name, caller.role, person).await?;
+    let client = app.handle.page_of(&name, caller.role, person, wants.device);
+    let client = client.await?;
     let largest = if caller.role >= Role::Queue {
         JOB
     } else {

@@ -181,7 +181,7 @@ async fn hold(
     let name = called(wanted, &requester.caller)?;
     let client = match &requester.lease {
         Some(_) => requester.client().await?,
-        None => requester.come(&name).await?,
+        None => requester.come(&name, None).await?,
     };
     let reply = client.request(request).await?;
     let app = &requester.app;

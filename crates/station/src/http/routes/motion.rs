@@ -9,7 +9,7 @@ use dobot_api::problem_kinds::{
     COMMAND, LASER_DISARMED, LOCKED, MALFORMED, NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE,
     POLICY, SLOT, STILL_MOVING,
 };
-use dobot_api::{Button, FleetWideStop, Jog, News, Notice, Problem, Reply, Request};
+use dobot_api::{Button, Device, FleetWideStop, Jog, News, Notice, Problem, Reply, Request};
 use dobot_supervisor::Refusal;
 use dobot_wire::Command;
 use schemars::JsonSchema;
@@ -19,7 +19,7 @@ use tokio::sync::broadcast::error::RecvError;
 
 use super::{DELETE, MOVES, POST, STOP};
 use crate::http::app::Peer;
-use crate::http::exchange::requester::Requester;
+use crate::http::exchange::requester::{Requester, is_name};
 use crate::http::exchange::responses::{Body, Maybe, Nothing, RequestFailed};
 use crate::http::route::Route;
 
@@ -182,6 +182,12 @@ struct NewStop {
     /// The stop of the whole fleet of which this is part; only set by other stations of the fleet.
     #[serde(default)]
     fleet: Option<FleetWideStop>,
+    /// The name given by the user of a page, as for its WebSocket.
+    #[serde(default)]
+    name: Option<String>,
+    /// The device of a page.
+    #[serde(default)]
+    device: Option<Device>,
 }
 
 async fn stop(
@@ -195,7 +201,15 @@ async fn stop(
     {
         return Ok(Json(reply));
     }
-    requester.ask(Request::Stop { reason: new.reason }).await
+    let stop = Request::Stop { reason: new.reason };
+    // A name that no client may have must not prevent a stop.
+    let name = new.name.filter(|name| is_name(name));
+    if name.is_none() && new.device.is_none() {
+        return requester.ask(stop).await;
+    }
+    let name = requester.caller.name_of(name.as_deref(), new.device);
+    let client = requester.come(&name, new.device).await?;
+    Ok(Json(client.request(stop).await?))
 }
 
 async fn command(

@@ -112,10 +112,12 @@ pub async fn serve(web: &Web, handle: StationHandle) -> Result<Served, ServeErro
         Reach {
             own,
             names: web.names.clone(),
+            listens: (address, certificate.is_some()),
         },
         AppFiles {
             policy: web.policy_file.clone(),
             recordings: web.folders.recordings(),
+            buttons: web.folders.buttons(),
         },
         web.virtual_arm.clone(),
         ending,

@@ -81,10 +81,12 @@ impl Harness {
                 Reach {
                     own: StationAddress::new("http://127.0.0.1:8642").unwrap(),
                     names: Vec::new(),
+                    listens: ("127.0.0.1:8642".parse().unwrap(), false),
                 },
                 AppFiles {
                     policy: "policy.toml".into(),
                     recordings: "recordings".into(),
+                    buttons: "buttons.json".into(),
                 },
                 None,
                 ending,
