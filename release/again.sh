@@ -9,5 +9,5 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 git clone --quiet . "$folder/dobot"
 (cd "$folder/dobot" && env -u CARGO_TARGET_DIR release/all.sh "$TARGET" >/dev/null)
-diff "$PRODUCTS/SHA256SUMS" "$folder/dobot/target/products/SHA256SUMS"
+diff {"$PRODUCTS","$folder/dobot/target/products"}/"SHA256SUMS-$TARGET"
 echo "both builds are the same bit for bit"

@@ -3,8 +3,8 @@
 #
 #   release/all.sh [TARGET]
 #
-# The archive, on Debian also the package, the wheel and the source distribution for Python, the crates, the list of parts
-# (CycloneDX) and the checksums. `release/again.sh` builds all of it in another folder and compares.
+# The archive, the wheel, the list of parts (CycloneDX) and SHA256SUMS-TARGET; on x86-64 Linux also the Debian package, the source
+# distribution for Python and the crates. `release/again.sh` builds all of it in another folder and compares.
 source "$(dirname "${BASH_SOURCE[0]}")/settings.sh"
 
 rm -rf "$PRODUCTS"
@@ -13,8 +13,11 @@ if [[ $TARGET == x86_64-unknown-linux-gnu ]] && command -v dpkg-deb >/dev/null; 
   release/deb.sh "$TARGET"
 fi
 release/wheel.sh "$TARGET"
-release/crates.sh
+if [[ $TARGET == x86_64-unknown-linux-gnu ]]; then
+  release/crates.sh
+fi
 cd "$PRODUCTS"
-tools=$(command -v sha256sum || echo shasum -a 256)
-find . -type f ! -name SHA256SUMS | sed 's|^\./||' | sort | xargs $tools >SHA256SUMS
-cat SHA256SUMS
+digest=$(command -v sha256sum || echo shasum -a 256)
+find . -type f | sed 's|^\./||' | sort | xargs $digest >"$BUILD/SHA256SUMS"
+mv "$BUILD/SHA256SUMS" "SHA256SUMS-$TARGET"
+cat "SHA256SUMS-$TARGET"

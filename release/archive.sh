@@ -15,8 +15,8 @@ main() {
   cp "$PROGRAMS/dobot$EXE" "$PROGRAMS/dobot-ros2$EXE" "$STAGE"
   cp README.md CHANGELOG.md SECURITY.md LICENSE LICENSE-MIT LICENSE-APACHE "$STAGE"
   [[ $TARGET != *linux* ]] || cp release/60-dobot.rules "$STAGE"
-  # Another machine's programs do not run here.
-  if [[ $TARGET == "$HOST" ]]; then
+  # Another machine's programs may not run here.
+  if "$STAGE/dobot$EXE" --version >/dev/null 2>&1; then
     describe
   fi
   python release/parts.py "$TARGET" "$STAGE"

@@ -26,7 +26,7 @@ published() {
   cargo metadata --locked --no-deps --format-version 1 | "$(command -v python3 || command -v python)" -c '
 import graphlib, json, sys
 packages = {package["name"]: package for package in json.load(sys.stdin)["packages"] if package["publish"] is None}
-needs = {name: [need["name"] for need in package["dependencies"] if need["path"] and need["kind"] != "dev"]
+needs = {name: [need["name"] for need in package["dependencies"] if need.get("path") and need["kind"] != "dev"]
          for name, package in packages.items()}
 for name in graphlib.TopologicalSorter(needs).static_order():
     if name not in packages:

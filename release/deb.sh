@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the Debian package from the folder that release/archive.sh leaves:
 #
-#   release/deb.sh [TARGET]
+#   release/deb.sh x86_64-unknown-linux-gnu
 #
 # The service is installed and not started: `sudo systemctl enable --now dobot` starts it, as a user of its own.
 source "$(dirname "${BASH_SOURCE[0]}")/settings.sh"

@@ -8,6 +8,7 @@ import json
 import os
 import subprocess
 import sys
+import textwrap
 import uuid
 from collections.abc import Iterator
 from datetime import datetime, timezone
@@ -69,12 +70,17 @@ def fonts() -> Iterator[Part]:
 
 
 def notices(parts: list[Part]) -> str:
-    text = "The programs contain parts that others made, and the standard library of Rust (MIT OR Apache-2.0).\n"
+    """The list of parts, then each text once, with the parts that it belongs to."""
+    users: dict[str, list[str]] = {}
     for part in parts:
-        text += f"\n==== {part.name} {part.version}: {part.licence}\n"
         for path in part.texts:
-            text += "\n" + path.read_text(errors="replace").rstrip() + "\n"
-    return text
+            text = "\n".join(line.rstrip() for line in path.read_text(errors="replace").strip().splitlines())
+            users.setdefault(text, []).append(part.name)
+    lines = ["The programs contain the standard library of Rust (MIT OR Apache-2.0), and these parts:", ""]
+    lines += [f"{part.name} {part.version}: {part.licence}" for part in parts]
+    for text, names in users.items():
+        lines += ["", "=" * 100, *textwrap.wrap("For " + ", ".join(dict.fromkeys(names)), 100), "", text]
+    return "\n".join(lines) + "\n"
 
 
 def component(part: Part) -> dict[str, object]:
