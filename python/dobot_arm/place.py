@@ -25,8 +25,8 @@ def connect(
 
     ``virtual:`` or ``virtual:firmware-1.1`` is a virtual arm in this process, ``station`` the arm of the
     station on this machine, ``http://127.0.0.1:8642`` that of another station; with ``serial:/dev/ttyUSB0`` or
-    ``tcp:host:port`` the rules are applied in this process, with the program ``dobot`` as the watchdog, which
-    must be installed.
+    ``tcp:host:port`` the rules are applied in this process, with the program ``dobot`` as the watchdog,
+    which a wheel of a release contains.
 
     ``name`` is shown to other clients; ``token`` is required for more than watching (default: the environment
     variable ``DOBOT_TOKEN``, then the token of this user's station); ``dialect`` is the protocol dialect of an
