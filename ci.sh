@@ -47,7 +47,8 @@ readonly WIDE_STEPS=(
   "test-all     Run the tests of the crates that have more features, with all of them"
   "random       Run the unit and property tests with a random seed"
   "doc-all      Build the documentation of the remaining crates"
-  "package      Pack every crate and check the packages"
+  "workflows    Check the workflow files with actionlint"
+  "site         Build README and docs as a website, and check its links"
   "models       Load the arm's models with yourdfpy and mujoco, and compare the kinematics"
   "python-full  Run the tests of the parts of the Python package that need the feature full"
   "recordings   Read recordings and tables with mcap, pandas and datasets, and live data with Foxglove's client"
@@ -56,6 +57,7 @@ readonly WIDE_STEPS=(
   "ros2         Use an arm over ROS 2 with cyclonedds"
   "bench-check  Run every benchmark once, unoptimised"
   "fuzz         Run every fuzz target with a fixed number of inputs"
+  "release      Build everything that is distributed, and use it in Debian 11 to 13 and Python 3.10 to 3.13 as a new user"
 )
 readonly OTHER_STEPS=(
   "times          Print the build and test times of the last run"
@@ -239,28 +241,25 @@ example_of_readme() {
   awk '/^```rust$/ { within = 1; next } within && /^```$/ { exit } within' "$1"
 }
 
-# `cargo publish --dry-run` would build each crate anew with all of its dependencies; it is for the day of a release.
-step_package() {
-  local target folder crate
-  target=${CARGO_TARGET_DIR:-target}
-  folder=$target/unpacked
-  rm -rf "$folder" "$target"/package/*.crate
-  mkdir -p "$folder"
-  cargo package --quiet --workspace --no-verify --allow-dirty --exclude-lockfile \
-    --exclude dobot-arm-python --exclude dobot-examples --exclude dobot-features --exclude dobot-fuzz
-  {
-    printf '[workspace]\nresolver = "3"\nmembers = ["dobot-*"]\n[patch.crates-io]\n'
-    for crate in "$target"/package/dobot-*.crate; do
-      # With the current time: all files in a package have the same date, and a changed one would look unchanged.
-      tar -xmzf "$crate" -C "$folder"
-      crate=$(basename "$crate" .crate)
-      printf '%s = { path = "%s" }\n' "${crate%-[0-9]*}" "$crate"
-    done
-    # The same profiles, so that existing builds are reused.
-    sed -n '/^\[profile/,$p' Cargo.toml
-  } >"$folder/Cargo.toml"
-  cp Cargo.lock "$folder"
-  build cargo check --manifest-path "$folder/Cargo.toml" --target-dir "$target" --workspace --all-features
+step_workflows() {
+  needs_command node nodejs
+  needs_command npm npm
+  npm ci --prefix tests/workflows --no-audit --no-fund
+  node tests/workflows/check.mjs .github/workflows/*.yml
+}
+
+step_site() {
+  needs_packages wide
+  docs/site.sh "$VENV/bin/mdbook"
+}
+
+step_release() {
+  if [[ $EUID == 0 ]]; then
+    needs_command debootstrap debootstrap
+    needs_command ip iproute2
+  fi
+  build release/all.sh
+  release/trial.sh
 }
 
 step_no-std() {
@@ -611,7 +610,7 @@ needs_packages() {
 # Installs Python packages while cargo builds.
 install_packages_early() {
   case " $* " in
-    *" models "* | *" recordings "* | *" fleet "* | *" ros2 "*) needs_packages wide >/dev/null 2>&1 & ;;
+    *" models "* | *" site "* | *" recordings "* | *" fleet "* | *" ros2 "*) needs_packages wide >/dev/null 2>&1 & ;;
     *" api "* | *" python "*) needs_packages ci >/dev/null 2>&1 & ;;
     *) return ;;
   esac

@@ -1,73 +1,38 @@
 #!/usr/bin/env bash
-# Builds the archive of a release for the system that this runs on, by hand or in .github/workflows/release.yml:
+# Builds the programs and their archive, target/products/dobot-VERSION-TARGET.tar.gz (.zip for Windows):
 #
-#   release/archive.sh          makes target/archives/dobot-VERSION-HOST.tar.gz (.zip on Windows) and its SHA-256
+#   release/archive.sh [TARGET]
 #
-# In it: the program, its man pages and completions, README, changelog, licences, and those of all that is linked.
-set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# In it: the programs, man pages, completions, the udev rule, README, changelog, licences, those of all that is linked, and the
+# list of parts. The folder of the archive remains, for release/deb.sh and release/wheel.sh.
+source "$(dirname "${BASH_SOURCE[0]}")/settings.sh"
+tools
 
 main() {
-  local host version name archives folder
-  host=$(rustc -vV | sed -n 's/^host: //p')
-  version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
-  name=dobot-$version-$host
-  archives=target/archives
-  folder=$archives/$name
-  rm -rf "$folder"
-  mkdir -p "$folder"
-
-  cargo build --locked --profile dist -p dobot-cli --features full
-  fill "$folder" "$host"
-  (cd "$archives" && pack "$name" "$host")
-}
-
-fill() {
-  local folder=$1 host=$2 program shell
-  program=${CARGO_TARGET_DIR:-target}/dist/dobot
-  [[ $host != *windows* ]] || program+=.exe
-  cp "$program" README.md CHANGELOG.md SECURITY.md LICENSE LICENSE-MIT LICENSE-APACHE "$folder"
-  mkdir -p "$folder/man" "$folder/completions"
-  "$program" man --out "$folder/man"
-  for shell in bash zsh fish powershell; do
-    "$program" completions "$shell" >"$folder/completions/dobot.$shell"
-  done
-  linked_licences "$host" >"$folder/LICENSES-OF-OTHERS.txt"
-}
-
-# Each package that is linked, with its licence and what its authors want to be handed on.
-linked_licences() {
-  local host=$1 sources package version licence file
-  sources=${CARGO_HOME:-$HOME/.cargo}/registry/src
-  cargo tree --locked -p dobot-cli --features full --edges normal --target "$host" --prefix none --format '{p}|{l}' |
-    sed 's/ (\*)$//; s/ (proc-macro)//' | grep -v '^dobot-' | sort -u |
-    while IFS='|' read -r package licence; do
-      version=${package#* v}
-      package=${package%% *}
-      printf '==== %s %s: %s\n\n' "$package" "$version" "$licence"
-      for file in "$sources"/*/"$package-$version"/{LICEN[CS]E,COPYING,NOTICE,UNLICENSE,license}*; do
-        [[ ! -f $file ]] || { cat "$file" && echo; }
-      done
-    done
-}
-
-pack() {
-  local name=$1 host=$2 file
-  if [[ $host == *windows* ]]; then
-    file=$name.zip
-    rm -f "$file"
-    7z a -bso0 "$file" "$name"
-  else
-    file=$name.tar.gz
-    tar -czf "$file" "$name"
+  compile build --profile dist -p dobot-cli -p dobot-ros2 --features dobot-cli/fleet
+  rm -rf "$STAGE"
+  mkdir -p "$STAGE/man" "$STAGE/completions" "$PRODUCTS"
+  cp "$PROGRAMS/dobot$EXE" "$PROGRAMS/dobot-ros2$EXE" "$STAGE"
+  cp README.md CHANGELOG.md SECURITY.md LICENSE LICENSE-MIT LICENSE-APACHE "$STAGE"
+  [[ $TARGET != *linux* ]] || cp release/60-dobot.rules "$STAGE"
+  # Another machine's programs may not run here.
+  if "$STAGE/dobot$EXE" --version >/dev/null 2>&1; then
+    describe
   fi
-  rm -rf "$name"
-  if command -v sha256sum >/dev/null; then
-    sha256sum "$file"
-  else
-    shasum -a 256 "$file"
-  fi >"$file.sha256"
-  cat "$file.sha256"
+  python release/parts.py "$TARGET" "$STAGE"
+  local archive=$PRODUCTS/${STAGE##*/}.tar.gz
+  [[ -z $EXE ]] || archive=${archive%.tar.gz}.zip
+  python release/pack.py "$STAGE" "$archive"
+  cp "$STAGE/parts.cdx.json" "$PRODUCTS/${STAGE##*/}.cdx.json"
+  at_most "$archive" 25000000
+}
+
+describe() {
+  local shell
+  "$STAGE/dobot$EXE" man --out "$STAGE/man"
+  for shell in bash zsh fish powershell; do
+    "$STAGE/dobot$EXE" completions "$shell" >"$STAGE/completions/dobot.$shell"
+  done
 }
 
 main

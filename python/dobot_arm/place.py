@@ -26,8 +26,8 @@ def connect(
 
     ``virtual:`` or ``virtual:firmware-1.1`` is a virtual arm in this process, ``station`` the arm of the
     station on this machine, ``http://127.0.0.1:8642`` that of another station; with ``serial:/dev/ttyUSB0`` or
-    ``tcp:host:port`` the rules are applied in this process, with the program ``dobot`` as the watchdog, which
-    must be installed.
+    ``tcp:host:port`` the rules are applied in this process, with the program ``dobot`` as the watchdog,
+    which a wheel of a release contains.
 
     ``name`` is shown to other clients (default: the name of the script's file); ``token`` is required for more than watching (default: the environment
     variable ``DOBOT_TOKEN``, then the token of this user's station); ``dialect`` is the protocol dialect of an
@@ -78,10 +78,23 @@ def watchdog(where: str) -> str | None:
         return None
     import shutil  # Imported here because it is slow to import.
 
-    found = shutil.which("dobot")
+    found = installed_program() or shutil.which("dobot")
     if found is None:
         raise Failed(
-            "there is no watchdog for the arm: the program `dobot` is not in the search path",
-            hint="install it, or start a station with it (`dobot up`) and connect with `station`",
+            "there is no watchdog for the arm: the program `dobot` is neither in this package nor in the search path",
+            hint="install a wheel of a release, which contains it, or the program itself; or start a station with it "
+            "(`dobot up`) and connect with `station`",
         )
     return found
+
+
+def installed_program() -> str | None:
+    """Returns the program that was installed with this package, wherever it was put."""
+    from importlib.metadata import PackageNotFoundError, files
+
+    try:
+        found = files("dobot-arm") or []
+    except PackageNotFoundError:
+        return None
+    programs = (os.fspath(file.locate()) for file in found if file.name in ("dobot", "dobot.exe"))
+    return next((program for program in programs if os.path.isfile(program)), None)

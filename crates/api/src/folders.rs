@@ -98,6 +98,12 @@ impl Folders {
         &self.data
     }
 
+    /// The file with the format of the data.
+    #[must_use]
+    pub fn format(&self) -> PathBuf {
+        self.data.join("format.toml")
+    }
+
     /// The policy file, present if a client has replaced the default policy.
     #[must_use]
     pub fn policy(&self) -> PathBuf {

@@ -9,6 +9,7 @@ mod conformance;
 mod convert;
 mod decode;
 mod detect;
+mod doctor;
 mod draw;
 mod fleet;
 mod hand;
@@ -74,6 +75,7 @@ pub(crate) enum Verb {
     World(world::Args),
     Policy(policy::Args),
     Ports(ports::Args),
+    Doctor(doctor::Args),
     Log(log::Args),
     Replay(replay::Args),
     Conformance(conformance::Args),
@@ -131,6 +133,7 @@ impl Verb {
             Self::World(args) => wait_for(world::run(args)),
             Self::Policy(args) => policy::run(&args),
             Self::Ports(args) => ports::run(&args),
+            Self::Doctor(args) => wait_for(doctor::run(args)),
             Self::Log(args) => log::run(&args),
             Self::Replay(args) => wait_for(replay::run(args)),
             Self::Conformance(args) => wait_for(conformance::run(args)),

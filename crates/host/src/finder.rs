@@ -18,6 +18,7 @@ use self::candidate::{Candidate, Choice, choose};
 use self::failed_attempts::FailedAttempts;
 use self::listening::Listening;
 
+pub use candidate::is_chip_of_arms;
 pub(crate) use probe_failures::cause_of_link;
 pub use probe_failures::{NothingFound, ProbeFailure};
 pub use reconnect::Reconnect;

@@ -13,6 +13,7 @@ use dobot_wire::Dialect;
 
 use crate::arm_thread::RunningArmThread;
 use crate::connect::{OwnVirtualArm, Source};
+use crate::data_format::{DataFormat, DataFormatError};
 use crate::disk::Disk;
 use crate::driver::{Driver, DriverParts};
 use crate::handle::{Rules, StationHandle};
@@ -68,6 +69,9 @@ pub enum HostError {
         #[source]
         source: std::io::Error,
     },
+    /// The data folder cannot be used.
+    #[error(transparent)]
+    DataFormat(#[from] DataFormatError),
     /// The journal of jobs cannot be opened.
     #[error(transparent)]
     Journal(#[from] JournalError),
@@ -87,6 +91,9 @@ impl Host {
     /// [`HostError`]; nothing keeps running.
     pub fn start(prepared_arm: PreparedArm, setup: Setup) -> Result<Self, HostError> {
         make_folder(&setup.folders)?;
+        for folders in [&setup.common, &setup.folders] {
+            DataFormat::claim(folders)?;
+        }
         let arms = KnownArms::read(&setup.common.arms())?;
         let journal = Journal::open(&setup.folders.journal())?;
         let source = prepared_arm.source;

@@ -35,6 +35,7 @@ mod arm_thread;
 mod background;
 mod client;
 mod connect;
+mod data_format;
 mod disk;
 mod drawing_job;
 mod driver;
@@ -63,10 +64,12 @@ mod watchdog;
 pub use background::Background;
 pub use client::{JobWatch, JobsError, JogEnd, LocalArm, NoArm, OpenArmError, StationClient};
 pub use connect::OwnVirtualArm;
+pub use data_format::{DataFormat, DataFormatError};
 pub use drawing_job::drawing_job;
 pub use dry_run::{DryRun, dry_run, dry_run_program, personality_of};
 pub use finder::{
     Finder, FinderNews, Found, KnownPort, NothingFound, ProbeFailure, Reconnect, Search,
+    is_chip_of_arms,
 };
 pub use handle::{
     Client, DriverChannels, Message, OfferAnswer, OfferRequest, PassedPacket, Rules, Snapshot,

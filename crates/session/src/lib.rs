@@ -62,6 +62,8 @@ pub use no_status::{NoStatus, StatusWait};
 pub use observer::{Observer, SeenOver};
 #[cfg(feature = "io")]
 pub use open::OpenError;
+#[cfg(all(feature = "io", unix))]
+pub use open::check_permission;
 pub use peer::Peer;
 pub use permit_scheme::{PermitScheme, ReceivedStatus, plausible};
 pub use plan::position;

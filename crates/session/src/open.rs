@@ -194,6 +194,19 @@ fn is_not_a_terminal(_error: &io::Error) -> bool {
     false
 }
 
+/// Returns whether this user may open a serial port, without opening it, so that no arm is reset.
+///
+/// # Errors
+///
+/// [`OpenError`] if the port is missing or the user has no permission.
+#[cfg(unix)]
+pub fn check_permission(path: &str) -> Result<(), OpenError> {
+    use rustix::fs::Access;
+
+    rustix::fs::access(path, Access::READ_OK | Access::WRITE_OK)
+        .map_err(|error| serial_error(path, error.into()))
+}
+
 /// The group that owns a port, if its members may use it.
 #[cfg(unix)]
 fn group(path: &str) -> Option<String> {
@@ -237,6 +250,17 @@ mod tests {
         assert_eq!(error.to_string(), "this user may not open /dev/ttyUSB0");
         let hint = error.hint().expect("there is a hint");
         assert!(hint.contains("usermod -aG dialout"), "{hint}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn permission_is_checked_without_opening_the_port() {
+        let missing = check_permission("/dev/no-such-port");
+        assert!(
+            matches!(missing, Err(OpenError::NoSuchPort { .. })),
+            "{missing:?}"
+        );
+        assert!(check_permission("/dev/null").is_ok());
     }
 
     #[test]

@@ -50,6 +50,17 @@ enum Action {
         #[command(flatten)]
         scope: ScopeArgs,
     },
+    /// Print the service file, for packages and machines without a service manager
+    Print {
+        #[command(flatten)]
+        scope: ScopeArgs,
+        /// Data folder of the station
+        #[arg(long, value_name = "FOLDER")]
+        data: Option<PathBuf>,
+        /// Options of `dobot up`
+        #[arg(last = true, value_name = "ARGUMENT")]
+        up: Vec<String>,
+    },
     /// Show whether the service is installed and running
     Status {
         #[command(flatten)]
@@ -81,20 +92,17 @@ pub(crate) fn run(args: Args) -> Result<(), Failure> {
     match args.action {
         Action::Install { scope, data, up } => install(scope.scope(), data, up),
         Action::Remove { scope } => remove(scope.scope()),
+        Action::Print { scope, data, up } => {
+            let unit = unit(scope.scope(), data, up)?;
+            Ok(output::bytes(ServiceManager::HERE.text(&unit).as_bytes())?)
+        }
         Action::Status { scope } => status(scope.scope()),
     }
 }
 
 fn install(scope: Scope, data: Option<PathBuf>, up: Vec<String>) -> Result<(), Failure> {
-    let up = with_log(up);
-    check_up(&up)?;
+    let unit = unit(scope, data, up)?;
     let file = file(scope)?;
-    let unit = Unit {
-        scope,
-        program: std::env::current_exe().context("cannot find the file of this program")?,
-        arguments: up,
-        data: data.map(std::path::absolute).transpose()?,
-    };
     let folder = file.parent().expect("a file of a service is in a folder");
     std::fs::create_dir_all(folder)
         .and_then(|()| std::fs::write(&file, ServiceManager::HERE.text(&unit)))
@@ -105,6 +113,17 @@ fn install(scope: Scope, data: Option<PathBuf>, up: Vec<String>) -> Result<(), F
         output::line("it ends when you log out; `loginctl enable-linger` keeps it running")?;
     }
     Ok(())
+}
+
+fn unit(scope: Scope, data: Option<PathBuf>, up: Vec<String>) -> Result<Unit, Failure> {
+    let up = with_log(up);
+    check_up(&up)?;
+    Ok(Unit {
+        scope,
+        program: std::env::current_exe().context("cannot find the file of this program")?,
+        arguments: up,
+        data: data.map(std::path::absolute).transpose()?,
+    })
 }
 
 /// Adds the JSON log format unless a format is given.

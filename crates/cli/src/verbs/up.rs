@@ -302,7 +302,10 @@ async fn check_alone(folders: &Folders) -> Result<(), NotAlone> {
 fn welcome(station: &Station, personality: Personality, data: String) -> Welcome {
     let arm = match station.arm() {
         Some(Address::Virtual) => format!("virtual, {personality}"),
-        Some(address) => address.to_string(),
+        Some(address) => match station.handle().state().state().dialect {
+            Some(dialect) => format!("{address}, {dialect}"),
+            None => format!("{address}; its dialect is unknown: run `dobot detect`"),
+        },
         None => not_connected(&station.handle().state().state().link),
     };
     Welcome {

@@ -31,6 +31,7 @@ fn help_shows_examples_for_every_verb() {
         "set",
         "decode",
         "ports",
+        "doctor",
         "conformance",
         "simulate",
         "up",

@@ -10,6 +10,7 @@ mod conformance;
 mod datasets;
 mod decoding;
 mod defaults;
+mod doctor;
 mod drawing;
 #[cfg(unix)]
 mod guarding;

@@ -45,6 +45,21 @@ fn a_service_is_installed_shown_and_removed() {
     run(&mut service(home.path(), &["remove"]), b"").fails(1, &["no service", "service install"]);
 }
 
+#[test]
+fn a_service_file_for_a_package_is_printed_and_nothing_is_installed() {
+    let home = tempfile::tempdir().expect("there is room");
+    let print = ["print", "--system", "--", "--http", "0.0.0.0:8642"];
+    let printed = run(&mut service(home.path(), &print), b"").succeeds();
+    for line in [
+        "up --log-format json --http 0.0.0.0:8642",
+        "StateDirectory=dobot",
+        "WantedBy=multi-user.target",
+    ] {
+        assert!(printed.stdout.contains(line), "{line}: {printed:?}");
+    }
+    assert!(!home.path().join(".config").exists());
+}
+
 /// The verdict of systemd, if it is installed.
 fn verify(file: &Path) {
     let verified = Command::new("systemd-analyze")

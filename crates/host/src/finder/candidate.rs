@@ -114,7 +114,7 @@ fn rank(port: &Port, last: Option<&KnownPort>) -> Rank {
     match &port.usb {
         _ if last.is_some_and(|last| last.is(port)) => Rank::TheSame,
         _ if last.is_some_and(|last| last.may_be(port)) => Rank::PerhapsTheSame,
-        Some(usb) if LIKELY.contains(&(usb.vendor, usb.product)) => Rank::LikelyChip,
+        Some(usb) if is_chip_of_arms(usb) => Rank::LikelyChip,
         Some(_) => Rank::OtherChip,
         None => Rank::NoUsb,
     }
@@ -132,6 +132,12 @@ impl Candidate {
             ..self.clone()
         })
     }
+}
+
+/// Returns whether arms were built with this USB chip; other devices have it, too.
+#[must_use]
+pub fn is_chip_of_arms(usb: &Usb) -> bool {
+    LIKELY.contains(&(usb.vendor, usb.product))
 }
 
 /// Vendor and product ids of the USB chips that arms were built with: two kinds of Arduino Mega,

@@ -38,24 +38,18 @@ impl Welcome {
             };
             format!("  {name}  {text}  {remark}").trim_end().to_owned()
         });
-        let hints = NEXT.iter().map(|(verb, what)| {
-            format!(
-                "  {}  {}",
-                paint.verb(&format!("{verb:11}")),
-                paint.dim(what)
-            )
-        });
+        let hints = NEXT
+            .iter()
+            .map(|(name, what)| format!("  {}  {what}", paint.verb(&format!("{name:11}"))));
         let notes = self
             .notes
             .iter()
             .map(|note| format!("  {}  {note}", paint.note("note       ")));
         let title = paint.title(concat!(" dobot ", env!("CARGO_PKG_VERSION"), " "));
-        let mut lines = vec![title, String::new()];
+        let mut lines = vec![title];
         lines.extend(facts);
         lines.extend(notes);
-        lines.push(String::new());
         lines.extend(hints);
-        lines.push(String::new());
         lines.join("\n")
     }
 
@@ -152,11 +146,12 @@ impl Paint {
     }
 }
 
-/// Suggested next commands.
-const NEXT: [(&str, &str); 4] = [
-    ("dobot watch", "a dashboard, in another terminal"),
-    ("dobot draw", "draw a file, a photo or a text"),
-    ("dobot stop", "stop the arm, from anywhere"),
+/// What to do next.
+const NEXT: [(&str, &str); 2] = [
+    (
+        "next",
+        "open the page, or in another terminal: dobot watch, draw, stop",
+    ),
     (
         "Ctrl-C",
         "end the station: the laser goes off, the arm comes to rest",
@@ -195,6 +190,7 @@ mod tests {
     #[test]
     fn it_fits_on_a_terminal_of_eighty_columns() {
         let text = welcome().text(false);
+        assert!(text.lines().count() <= 8, "{text}");
         let longest = text.lines().map(|line| line.chars().count()).max();
         assert!(longest <= Some(80), "{longest:?}:\n{text}");
     }

@@ -64,6 +64,20 @@ fn usb_chips_of_arms_come_before_other_usb_chips_and_ports_without_usb_are_never
 }
 
 #[test]
+fn the_udev_rule_of_a_release_has_every_kind_of_usb_chip_in_arms() {
+    let rules = include_str!("../../../../../release/60-dobot.rules");
+    let field = |line: &str, name: &str| {
+        let value = line.split_once(&format!("ATTRS{{{name}}}==\""))?.1;
+        u16::from_str_radix(value.get(..4)?, 16).ok()
+    };
+    let ruled: Vec<_> = rules
+        .lines()
+        .filter_map(|line| Some((field(line, "idVendor")?, field(line, "idProduct")?)))
+        .collect();
+    assert_eq!(ruled, LIKELY);
+}
+
+#[test]
 fn every_kind_of_usb_chip_in_arms_comes_first() {
     for (vendor, product) in [
         (0x2341, 0x0010),
