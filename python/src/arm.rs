@@ -374,6 +374,12 @@ impl Core {
         } = *how;
         let command = move |from: &Status, _| {
             let (place, servo_deg) = place(from);
+            let mode = if mode == MovingMode::MovL && is_here(&place, from) {
+                // A stock arm would lose its pose on a straight line of no length (note N34).
+                MovingMode::MovJ
+            } else {
+                mode
+            };
             let target = Target {
                 place,
                 servo_deg,
@@ -458,6 +464,18 @@ impl Frame {
     }
 }
 
+/// Whether the arm is at a place already, with any rotation.
+fn is_here(place: &TargetPlace, from: &Status) -> bool {
+    let (there, here) = match *place {
+        TargetPlace::Point { mm, .. } => (mm, [from.x_mm, from.y_mm, from.z_mm]),
+        TargetPlace::Joints(deg) => (deg, [from.base_deg, from.rear_deg, from.fore_deg]),
+    };
+    there
+        .iter()
+        .zip(here)
+        .all(|(there, here)| (there - here).abs() < HERE)
+}
+
 /// The path, and the tool state after the move: a Python tuple.
 #[derive(FromPyObject)]
 struct MoveOptions {
@@ -495,6 +513,9 @@ fn seconds(name: &str, value: f64) -> PyResult<Duration> {
     Duration::try_from_secs_f64(value)
         .map_err(|_| PyValueError::new_err(format!("{name} is {value}; allowed are 0 or more")))
 }
+
+/// The difference of coordinates that is no motion, in mm or degrees: that of rounded numbers.
+const HERE: f32 = 0.01;
 
 fn mode(path: &str) -> PyResult<MovingMode> {
     let named = path.parse::<PathName>();

@@ -40,10 +40,16 @@ impl Follow {
             tool,
         };
         let status = arm.status();
+        let here = [status.x_mm, status.y_mm, status.z_mm].map(f64::from);
         let first = MoveTo {
             rotation_deg: status.rotation_deg,
             suction: model.suction,
-            mode: MovingMode::MovL,
+            // Where the arm is already, a stock arm would lose its pose on a straight line (note N34).
+            mode: if distance_mm(points[0], here) < HERE_MM {
+                MovingMode::MovJ
+            } else {
+                MovingMode::MovL
+            },
             gripper_deg: status.gripper_deg,
             ..MoveTo::to(
                 single(points[0][0]),
@@ -131,5 +137,7 @@ fn distance_mm(from: [f64; 3], to: [f64; 3]) -> f64 {
 const FARTHEST_MM: f64 = 1000.0;
 /// Shorter vectors are left out.
 const SHORTEST_MM: f64 = 1e-6;
+/// A shorter way to the first point is no motion.
+const HERE_MM: f64 = 0.01;
 const SLOWEST_MM_S: f64 = 1.0;
 const FASTEST_MM_S: f64 = 500.0;

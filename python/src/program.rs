@@ -10,10 +10,10 @@ use dobot_draw::ProgramFiles;
 use dobot_host::{PlannedFor, ProgramJobError, Rules, dry_run_program, program_job};
 use dobot_safety::Policy;
 use dobot_teach::{
-    Files, Program, ProgramError, ProgramForm, RecordedPlace, Steps, Times, ToolState, path_steps,
-    simplified,
+    Action, Files, Program, ProgramError, ProgramForm, RecordedPlace, Steps, Times, ToolState,
+    path_steps, simplified,
 };
-use dobot_wire::Dialect;
+use dobot_wire::{Dialect, MovingMode};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde_json::{Value, json};
@@ -99,7 +99,11 @@ impl Taught {
                 gripper_deg,
             };
             let places: Vec<RecordedPlace> = places.into_iter().map(recorded).collect();
-            let steps = path_steps(&simplified(&places, tolerance_mm), ToolState::default());
+            let mut steps = path_steps(&simplified(&places, tolerance_mm), ToolState::default());
+            if let Some(Action::Go(first)) = steps.first_mut() {
+                // From wherever the arm is, and allowed where it is already.
+                first.path = MovingMode::Jump;
+            }
             let steps = steps.into_iter().map(|step| Spanned::new(0..0, step));
             let mut program = Program::default();
             program.title = title;
