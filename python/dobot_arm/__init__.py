@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ._core import __version__
 from .arm import Arm, Jog, connect
 from .drawing import Plan, Progress, bar, formats, plan
 from .errors import Closed, Error, Failed, Kind, LinkLost, Paused, Refused, Stopped, kinds
@@ -15,7 +16,9 @@ from .operations import Button, Path, Tool
 from .programs import (
     Ask, Point, Program, ProgramProblem, ProgramReport, ProgramStep, Question, Step, program, program_bar,
 )
-from .status import Status
+from .state import ControlState, JobState, LaserState, LinkState, State, StopState
+from .status import Joints, Pose, Status
+from .take import Take
 from .world import Object, World
 
 if TYPE_CHECKING:
@@ -28,11 +31,12 @@ if TYPE_CHECKING:
     from .testing import assert_ink, assert_object
 
 __all__ = [
-    "Arm", "Ask", "AsyncArm", "AsyncJog", "Button", "Calibration", "Closed", "Error", "Failed", "Jog", "Kind",
-    "LinkLost", "Object", "Path", "Paused", "Plan", "Point", "Program", "ProgramProblem", "ProgramReport",
-    "ProgramStep", "Progress", "Question", "Recording", "Refused", "SHEET", "Served", "Simulation", "Status", "Step",
-    "Stopped", "Table", "Tool", "Touch", "World", "aconnect", "assert_ink", "assert_object", "bar", "calibrate",
-    "connect", "formats", "kinds", "log", "plan", "program", "program_bar", "serve", "simulate",
+    "Arm", "Ask", "AsyncArm", "AsyncJog", "Button", "Calibration", "Closed", "ControlState", "Error", "Failed",
+    "JobState", "Jog", "Joints", "Kind", "LaserState", "LinkLost", "LinkState", "Object", "Path", "Paused", "Plan",
+    "Point", "Pose", "Program", "ProgramProblem", "ProgramReport", "ProgramStep", "Progress", "Question",
+    "Recording", "Refused", "SHEET", "Served", "Simulation", "State", "Status", "Step", "StopState", "Stopped",
+    "Table", "Take", "Tool", "Touch", "World", "__version__", "aconnect", "assert_ink", "assert_object", "bar",
+    "calibrate", "connect", "formats", "kinds", "log", "plan", "program", "program_bar", "serve", "simulate",
 ]
 
 _LATER = {
@@ -62,3 +66,7 @@ def __getattr__(name: str) -> object:
 
         return getattr(import_module(f".{_LATER[name]}", __name__), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator, Callable, Coroutine
-from functools import wraps
+import os
+from collections.abc import AsyncIterator, Callable, Sequence
 from types import TracebackType
-from typing import Any, Concatenate, ParamSpec, TypeVar
+from typing import Any
 
-from . import operations, place
-from ._core import Core, Pending, Statuses
+from . import place
+from ._core import Pending, Statuses
 from .errors import Error
 from .operations import Operation, Button, Connection
 from .status import Status
-
-P = ParamSpec("P")
-T = TypeVar("T")
-
 
 async def _ready(source: Pending | Statuses) -> None:
     """Waits until there is something to poll."""
@@ -63,19 +59,6 @@ async def _result_or_stopped(
         raise
 
 
-def _awaited(
-    begin: Callable[Concatenate[Connection, P], Operation[T]],
-) -> Callable[Concatenate[Connection, P], Coroutine[Any, Any, T]]:
-    """Returns the operation as a coroutine. If its task is cancelled, the arm is stopped."""
-
-    @wraps(begin)
-    async def call(arm: Connection, /, *args: P.args, **options: P.kwargs) -> T:
-        begun = begin(arm, *args, **options)
-        return begun.read(await _result_or_stopped(arm, begun.pending, begun.progress))
-
-    return call
-
-
 class AsyncArm(Connection):
     """An arm with awaitable operations. Tasks and event loops may share it."""
 
@@ -90,68 +73,53 @@ class AsyncArm(Connection):
     ) -> None:
         await self.close()
 
-    status = _awaited(operations.status)
-    move_to = _awaited(operations.move_to)
-    move_joints = _awaited(operations.move_joints)
-    suction = _awaited(operations.suction)
-    gripper = _awaited(operations.gripper)
-    speed = _awaited(operations.speed)
-    mouse = _awaited(operations.mouse)
-    say = _awaited(operations.say)
-    hand = _awaited(operations.hand)
-    vector = _awaited(operations.vector)
-    set_jog = _awaited(operations.set_jog)
-    set_moves = _awaited(operations.set_moves)
-    set_writing = _awaited(operations.set_writing)
-    set_angles = _awaited(operations.set_angles)
-    set_tool = _awaited(operations.set_tool)
-    arm_laser = _awaited(operations.arm_laser)
-    disarm_laser = _awaited(operations.disarm_laser)
-    laser = _awaited(operations.laser)
-    draw = _awaited(operations.draw)
-    run = _awaited(operations.run)
-    check = _awaited(operations.check)
-    resume = _awaited(operations.resume)
-    cancel = _awaited(operations.cancel)
-    world = _awaited(operations.world)
-    set_faults = _awaited(operations.set_faults)
-    wait = _awaited(operations.wait)
-    stop = _awaited(operations.stop)
-    reset_stop = _awaited(operations.reset_stop)
-    confirm_pose = _awaited(operations.confirm_pose)
+
+    @staticmethod
+    def _calling(begin: Callable[..., Operation[Any]]) -> Callable[..., Any]:
+        async def call(self: AsyncArm, *args: Any, **options: Any) -> Any:
+            begun = begin(self, *args, **options)
+            return begun.read(await _result_or_stopped(self, begun.pending, begun.progress))
+
+        return call
 
     def jog(self, button: Button, speed: float = 50.0, *, at_most: float = 10.0) -> AsyncJog:
         """Holds a button while an ``async with`` block runs; otherwise like :meth:`Arm.jog`."""
         return AsyncJog(self, button, speed, at_most)
 
-    async def statuses(self) -> AsyncIterator[Status]:
-        """Yields all statuses from now on, also while another task moves the arm."""
-        statuses = self._core.statuses()
-        while True:
-            status = statuses.poll()
-            if status is None:
-                await _ready(statuses)
-            else:
-                yield Status(**status)
+    def statuses(self) -> AsyncIterator[Status]:
+        """Returns all statuses from now on, also while another task moves the arm."""
+        return _each(self._core.statuses())
 
     async def close(self) -> None:
         """Disconnects from the arm; also called at the end of ``async with``."""
         await asyncio.to_thread(self._core.close)
 
 
-def _connecting(begin: Callable[P, Core]) -> Callable[P, Coroutine[Any, Any, AsyncArm]]:
-    """Returns the operation as a coroutine."""
-
-    @wraps(begin)
-    async def aconnect(*args: P.args, **options: P.kwargs) -> AsyncArm:
-        core = begin(*args, **options)
-        await _result(core.connected())
-        return AsyncArm(core)
-
-    return aconnect
+async def _each(statuses: Statuses) -> AsyncIterator[Status]:
+    while True:
+        status = statuses.poll()
+        if status is None:
+            await _ready(statuses)
+        else:
+            yield Status(**status)
 
 
-aconnect = _connecting(place.connect)
+async def aconnect(
+    where: str,
+    *,
+    name: str | None = None,
+    token: str | None = None,
+    dialect: str | None = None,
+    fingerprint: str | None = None,
+    ca: str | os.PathLike[str] | None = None,
+    world: str | os.PathLike[str] | None = None,
+    faults: Sequence[str] = (),
+    seed: int = 0,
+) -> AsyncArm:
+    """Connects to an arm for coroutines; otherwise like :func:`connect`."""
+    core = place.connect(where, name, token, dialect, fingerprint, ca, world, faults, seed)
+    await _result(core.connected())
+    return AsyncArm(core, where)
 
 
 class AsyncJog:

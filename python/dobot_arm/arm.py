@@ -2,34 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from functools import wraps
+import os
+from collections.abc import Callable, Iterator, Sequence
 from types import TracebackType
-from typing import Concatenate, ParamSpec, TypeVar
+from typing import Any
 
-from . import operations, place
-from ._core import Core
+from . import place
+from ._core import Statuses
 from .errors import Error
 from .operations import Operation, Button, Connection
 from .status import Status
 from .world import Object, Stroke
-
-P = ParamSpec("P")
-T = TypeVar("T")
-
-
-def _waiting(
-    begin: Callable[Concatenate[Connection, P], Operation[T]],
-) -> Callable[Concatenate[Connection, P], T]:
-    """The operation, as a call that waits for its end."""
-
-    @wraps(begin)
-    def call(arm: Connection, /, *args: P.args, **options: P.kwargs) -> T:
-        begun = begin(arm, *args, **options)
-        return begun.read(begun.pending.wait(begun.progress))
-
-    return call
-
 
 class Arm(Connection):
     """An arm. Threads may share it; a fork of the process may not use it."""
@@ -45,40 +28,17 @@ class Arm(Connection):
     ) -> None:
         self.close()
 
-    status = _waiting(operations.status)
-    move_to = _waiting(operations.move_to)
-    move_joints = _waiting(operations.move_joints)
-    suction = _waiting(operations.suction)
-    gripper = _waiting(operations.gripper)
-    speed = _waiting(operations.speed)
-    mouse = _waiting(operations.mouse)
-    say = _waiting(operations.say)
-    hand = _waiting(operations.hand)
-    vector = _waiting(operations.vector)
-    set_jog = _waiting(operations.set_jog)
-    set_moves = _waiting(operations.set_moves)
-    set_writing = _waiting(operations.set_writing)
-    set_angles = _waiting(operations.set_angles)
-    set_tool = _waiting(operations.set_tool)
-    arm_laser = _waiting(operations.arm_laser)
-    disarm_laser = _waiting(operations.disarm_laser)
-    laser = _waiting(operations.laser)
-    draw = _waiting(operations.draw)
-    run = _waiting(operations.run)
-    check = _waiting(operations.check)
-    resume = _waiting(operations.resume)
-    cancel = _waiting(operations.cancel)
-    world = _waiting(operations.world)
-    set_faults = _waiting(operations.set_faults)
-    wait = _waiting(operations.wait)
-    stop = _waiting(operations.stop)
-    reset_stop = _waiting(operations.reset_stop)
-    confirm_pose = _waiting(operations.confirm_pose)
 
-    @property
-    def pose(self) -> Status:
-        """The pose of the tool, in millimetres and degrees: ``x_mm``, ``y_mm``, ``z_mm``, ``rotation_deg``."""
-        return self.status()
+    @staticmethod
+    def _calling(begin: Callable[..., Operation[Any]]) -> Callable[..., Any]:
+        def call(self: Arm, *args: Any, **options: Any) -> Any:
+            begun = begin(self, *args, **options)
+            return begun.read(begun.pending.wait(begun.progress))
+
+        return call
+
+    def _last(self) -> Status:
+        return super()._last() if self._core.last_status() else self.next_status()
 
     @property
     def ink(self) -> list[Stroke]:
@@ -89,11 +49,6 @@ class Arm(Connection):
     def objects(self) -> dict[str, Object]:
         """The objects around a virtual arm of this process, by name."""
         return self.world().objects
-
-    @property
-    def joints(self) -> Status:
-        """The joint angles, in degrees: ``base_deg``, ``rear_deg``, ``fore_deg``, ``servo_deg``."""
-        return self.status()
 
     def jog(self, button: Button, speed: float = 50.0, *, at_most: float = 10.0) -> Jog:
         """Holds a button while a ``with`` block runs, at ``speed`` percent.
@@ -106,28 +61,52 @@ class Arm(Connection):
 
     def statuses(self) -> Iterator[Status]:
         """Yields all statuses from now on, also while another thread moves the arm."""
-        statuses = self._core.statuses()
-        while True:
-            yield Status(**statuses.next())
+        return _each(self._core.statuses())
 
     def close(self) -> None:
         """Disconnects from the arm; also called at the end of ``with``."""
         self._core.close()
 
 
-def _connecting(begin: Callable[P, Core]) -> Callable[P, Arm]:
-    """The same, and waits until it is connected."""
-
-    @wraps(begin)
-    def connect(*args: P.args, **options: P.kwargs) -> Arm:
-        core = begin(*args, **options)
-        core.connected().wait(None)
-        return Arm(core)
-
-    return connect
+def _each(statuses: Statuses) -> Iterator[Status]:
+    while True:
+        yield Status(**statuses.next())
 
 
-connect = _connecting(place.connect)
+def connect(
+    where: str,
+    *,
+    name: str | None = None,
+    token: str | None = None,
+    dialect: str | None = None,
+    fingerprint: str | None = None,
+    ca: str | os.PathLike[str] | None = None,
+    world: str | os.PathLike[str] | None = None,
+    faults: Sequence[str] = (),
+    seed: int = 0,
+) -> Arm:
+    """Connects to an arm.
+
+    ``virtual:`` or ``virtual:firmware-1.1`` is a virtual arm in this process, ``station`` the arm of the
+    station on this machine, ``http://127.0.0.1:8642`` that of another station; with ``serial:/dev/ttyUSB0`` or
+    ``tcp:host:port`` the rules are applied in this process, with the program ``dobot`` as the watchdog,
+    which a wheel of a release contains.
+
+    ``name`` is shown to other clients (default: the name of the script's file); ``token`` is required for more
+    than watching (default: the environment variable ``DOBOT_TOKEN``, then the token of this user's station);
+    ``dialect`` is the protocol dialect of an arm at an address, ``specification`` or ``firmware-1.1``. The certificate of a station at ``https://`` is
+    checked with ``fingerprint``, its SHA-256 digest, which the station prints at its start; or with ``ca``, a
+    PEM file of the issuer.
+
+    A virtual arm of this process may have a ``world`` (a scene file that ends in ``.toml``, or the text of one)
+    and ``faults`` such as ``drop=1%`` or ``zero=fore:2``; ``seed`` is their random seed.
+
+    Raises :class:`LinkLost` if nothing responds, :class:`Refused` if a station refuses access,
+    :class:`ValueError` for an invalid value.
+    """
+    core = place.connect(where, name, token, dialect, fingerprint, ca, world, faults, seed)
+    core.connected().wait(None)
+    return Arm(core, where)
 
 
 class Jog:

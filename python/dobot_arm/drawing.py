@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import os
+import reprlib
 import sys
 from collections.abc import Callable, Iterable
 from itertools import islice
 from struct import Struct
+from struct import error as StructError
 from typing import TYPE_CHECKING, Any
 
 from ._core import Drawing, Lines, drawing_formats
@@ -110,7 +112,7 @@ def plan(
 def _copied(lines: Iterable[Points]) -> Lines:
     """Copies the points of all lines once, piece by piece."""
     copied = Lines()
-    for line in lines:
+    for at, line in enumerate(lines):
         if hasattr(line, "__array_interface__"):
             import numpy as np
 
@@ -122,9 +124,14 @@ def _copied(lines: Iterable[Points]) -> Lines:
                 copied.extend(np.ascontiguousarray(points[begin : begin + _PIECE], dtype="<f8").tobytes())
         else:
             copied.begin(0)
-            pairs = iter(line)
-            while piece := b"".join(_PAIR.pack(x, y) for x, y in islice(pairs, _PIECE)):
-                copied.extend(piece)
+            try:
+                pairs = iter(line)
+                while piece := b"".join(_PAIR.pack(x, y) for x, y in islice(pairs, _PIECE)):
+                    copied.extend(piece)
+            except (TypeError, ValueError, StructError):
+                raise ValueError(
+                    f"lines[{at}] is {reprlib.repr(line)}; allowed is a line: an array of shape (n, 2), or pairs of x and y"
+                ) from None
     return copied
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal
 
 Kind = Literal[
     "all-arms-given", "arm-busy", "arm-not-started", "bad-answer", "bad-button", "bad-drawing", "bad-fault",
@@ -38,9 +38,19 @@ class Error(Exception):
         super().__init__(detail)
         self.hint = hint
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # The constructors of subclasses have keywords, which the default does not pass.
+        return _restored, (type(self), self.args, self.__dict__)
+
     def __str__(self) -> str:
         detail = super().__str__()
         return detail if self.hint is None else f"{detail}\nhint: {self.hint}"
+
+
+def _restored(cls: type[Error], args: tuple[Any, ...], fields: dict[str, Any]) -> Error:
+    error = cls.__new__(cls, *args)
+    error.__dict__.update(fields)
+    return error
 
 
 class Refused(Error):

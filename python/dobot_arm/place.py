@@ -12,35 +12,16 @@ from .errors import Failed
 
 def connect(
     where: str,
-    *,
-    name: str | None = None,
-    token: str | None = None,
-    dialect: str | None = None,
-    fingerprint: str | None = None,
-    ca: str | os.PathLike[str] | None = None,
-    world: str | os.PathLike[str] | None = None,
-    faults: Sequence[str] = (),
-    seed: int = 0,
+    name: str | None,
+    token: str | None,
+    dialect: str | None,
+    fingerprint: str | None,
+    ca: str | os.PathLike[str] | None,
+    world: str | os.PathLike[str] | None,
+    faults: Sequence[str],
+    seed: int,
 ) -> Core:
-    """Connects to an arm.
-
-    ``virtual:`` or ``virtual:firmware-1.1`` is a virtual arm in this process, ``station`` the arm of the
-    station on this machine, ``http://127.0.0.1:8642`` that of another station; with ``serial:/dev/ttyUSB0`` or
-    ``tcp:host:port`` the rules are applied in this process, with the program ``dobot`` as the watchdog,
-    which a wheel of a release contains.
-
-    ``name`` is shown to other clients (default: the name of the script's file); ``token`` is required for more than watching (default: the environment
-    variable ``DOBOT_TOKEN``, then the token of this user's station); ``dialect`` is the protocol dialect of an
-    arm at an address, ``specification`` or ``firmware-1.1``. The certificate of a station at ``https://`` is
-    checked with ``fingerprint``, its SHA-256 digest, which the station prints at its start; or with ``ca``, a
-    PEM file of the issuer.
-
-    A virtual arm of this process may have a ``world`` (a scene file that ends in ``.toml``, or the text of one)
-    and ``faults`` such as ``drop=1%`` or ``zero=fore:2``; ``seed`` is their random seed.
-
-    Raises :class:`LinkLost` if nothing responds, :class:`Refused` if a station refuses access,
-    :class:`ValueError` for an invalid value.
-    """
+    """Begins to connect to an arm, with the arguments of :func:`dobot_arm.connect`."""
     return Core(
         where,
         {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use dobot_api::{Button, Request};
+use dobot_api::{Button, ClientId, Request};
 use dobot_arm::Tool;
 use dobot_controller::PowerUp;
 use dobot_host::{PathName, Target, TargetPlace, voice_command};
@@ -15,11 +15,13 @@ use dobot_wire::{
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 use crate::drawing::Drawing;
-use crate::failure::value_error;
+use crate::failure::{exception, value_error};
+use crate::follow::Follow;
 use crate::mailbox::Mailbox;
-use crate::pending::{Pending, Statuses};
+use crate::pending::{Pending, Statuses, dict};
 use crate::place::{ConnectOptions, place};
 use crate::program::{Run, Taught};
 use crate::virtual_arm::{read_faults, world_json};
@@ -53,27 +55,71 @@ impl Core {
     }
 
     /// Returns the next status.
-    fn status(&self) -> Pending {
-        self.begin(Operation::Status)
+    fn next_status(&self) -> Pending {
+        self.begin(Operation::NextStatus)
     }
 
-    fn move_to(
-        &self,
-        point_mm: [f32; 3],
-        rotation_deg: Option<f32>,
-        how: MoveOptions,
-    ) -> PyResult<Pending> {
-        let mm = point_mm;
-        self.go(TargetPlace::Point { mm, rotation_deg }, None, &how)
+    /// Returns the last known status without waiting, if there is one.
+    fn last_status<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let last = self
+            .worker
+            .last()
+            .map_err(|failure| exception(py, &failure))?;
+        last.map(|seen| dict(py, seen)).transpose()
     }
 
-    fn move_joints(
-        &self,
-        joints_deg: [f32; 3],
-        servo_deg: Option<f32>,
-        how: MoveOptions,
-    ) -> PyResult<Pending> {
-        self.go(TargetPlace::Joints(joints_deg), servo_deg, &how)
+    /// Returns what the station knows, as a JSON object.
+    fn state(&self) -> Pending {
+        self.begin(Operation::State)
+    }
+
+    /// Moves to a point; `axes` are its three coordinates and the rotation. Omitted ones keep
+    /// their values.
+    fn move_to(&self, frame: &str, axes: [Option<f32>; 4], how: MoveOptions) -> PyResult<Pending> {
+        let frame = match frame {
+            "base" => Frame::Base,
+            "current" => Frame::Current,
+            _ => Frame::Polar,
+        };
+        self.go(move |from| (frame.place(axes, from), None), &how)
+    }
+
+    /// Moves to joint angles and the servo's angle, or by them.
+    fn move_joints(&self, joints_deg: [Option<f32>; 4], how: MoveOptions) -> PyResult<Pending> {
+        let place = move |from: &Status| {
+            let [base, rear, fore, servo] = joints_deg;
+            let joints = [
+                base.unwrap_or(from.base_deg),
+                rear.unwrap_or(from.rear_deg),
+                fore.unwrap_or(from.fore_deg),
+            ];
+            (TargetPlace::Joints(joints), servo)
+        };
+        self.go(place, &how)
+    }
+
+    /// Moves through points in mm at a speed, without a stop in between.
+    fn follow(&self, points_mm: Vec<[f64; 3]>, speed_mm_s: f64, title: String) -> Pending {
+        self.begin(Operation::Follow(Box::new(Follow {
+            points_mm,
+            speed_mm_s,
+            title,
+        })))
+    }
+
+    /// Takes control, or asks its holder and waits for at most so many seconds.
+    fn request_control(&self, patience_s: f64) -> PyResult<Pending> {
+        Ok(self.begin(Operation::RequestControl(seconds("wait", patience_s)?)))
+    }
+
+    fn release_control(&self) -> Pending {
+        self.begin(Operation::Plain(Request::ReleaseLease))
+    }
+
+    /// Gives control to a client that asked for it.
+    fn grant_control(&self, client: u64) -> Pending {
+        let to = ClientId(client);
+        self.begin(Operation::Plain(Request::GrantLease { to }))
     }
 
     /// Switches the pump at the current position.
@@ -263,9 +309,7 @@ impl Core {
     }
 
     fn wait(&self, seconds: f64) -> PyResult<Pending> {
-        let time = Duration::try_from_secs_f64(seconds).map_err(|_| {
-            PyValueError::new_err(format!("seconds is {seconds}; allowed are 0 or more"))
-        })?;
+        let time = self::seconds("seconds", seconds)?;
         Ok(self.begin(Operation::Wait(time)))
     }
 
@@ -315,21 +359,37 @@ impl Core {
 }
 
 impl Core {
+    /// Moves to a place that depends on the current status, with the angle of the servo.
     fn go(
         &self,
-        place: TargetPlace,
-        servo_deg: Option<f32>,
+        place: impl FnOnce(&Status) -> (TargetPlace, Option<f32>) + Send + 'static,
         how: &MoveOptions,
     ) -> PyResult<Pending> {
-        let target = Target {
-            place,
-            servo_deg,
-            mode: mode(&how.path)?,
-            suction: how.suction,
-            gripper_deg: how.gripper_deg,
-            pause_s: how.pause_s,
+        let mode = mode(&how.path)?;
+        let MoveOptions {
+            suction,
+            gripper_deg,
+            pause_s,
+            ..
+        } = *how;
+        let command = move |from: &Status, _| {
+            let (place, servo_deg) = place(from);
+            let mode = if mode == MovingMode::MovL && is_here(&place, from) {
+                // A stock arm would lose its pose on a straight line of no length (note N34).
+                MovingMode::MovJ
+            } else {
+                mode
+            };
+            let target = Target {
+                place,
+                servo_deg,
+                mode,
+                suction,
+                gripper_deg,
+                pause_s,
+            };
+            target.command(from)
         };
-        let command = move |from: &Status, _| target.command(from);
         Ok(self.begin(Operation::CarryOut(Box::new(command))))
     }
 
@@ -363,6 +423,59 @@ impl Core {
     }
 }
 
+/// The meaning of the coordinates of a target.
+#[derive(Clone, Copy)]
+enum Frame {
+    /// x, y and z in the base frame, in mm.
+    Base,
+    /// Distances from the current position along x, y and z, in mm.
+    Current,
+    /// The distance from the base axis in mm, the angle about it in degrees, and the height in mm.
+    Polar,
+}
+
+impl Frame {
+    /// Returns the target for an arm with this status.
+    fn place(self, axes: [Option<f32>; 4], from: &Status) -> TargetPlace {
+        let [first, second, z, rotation] = axes;
+        let (z_mm, mut rotation_deg) = (z.unwrap_or(from.z_mm), rotation);
+        let mm = match self {
+            Self::Base => [
+                first.unwrap_or(from.x_mm),
+                second.unwrap_or(from.y_mm),
+                z_mm,
+            ],
+            Self::Current => {
+                rotation_deg = rotation.map(|by_deg| from.rotation_deg + by_deg);
+                let by = |distance: Option<f32>| distance.unwrap_or(0.0);
+                [
+                    from.x_mm + by(first),
+                    from.y_mm + by(second),
+                    from.z_mm + by(z),
+                ]
+            }
+            Self::Polar => {
+                let reach_mm = first.unwrap_or_else(|| from.x_mm.hypot(from.y_mm));
+                let angle = second.map_or_else(|| from.y_mm.atan2(from.x_mm), f32::to_radians);
+                [reach_mm * angle.cos(), reach_mm * angle.sin(), z_mm]
+            }
+        };
+        TargetPlace::Point { mm, rotation_deg }
+    }
+}
+
+/// Whether the arm is at a place already, with any rotation.
+fn is_here(place: &TargetPlace, from: &Status) -> bool {
+    let (there, here) = match *place {
+        TargetPlace::Point { mm, .. } => (mm, [from.x_mm, from.y_mm, from.z_mm]),
+        TargetPlace::Joints(deg) => (deg, [from.base_deg, from.rear_deg, from.fore_deg]),
+    };
+    there
+        .iter()
+        .zip(here)
+        .all(|(there, here)| (there - here).abs() < HERE)
+}
+
 /// The path, and the tool state after the move: a Python tuple.
 #[derive(FromPyObject)]
 struct MoveOptions {
@@ -394,6 +507,15 @@ pub(crate) fn joints_warning(joints_deg: [f32; 3]) -> Option<String> {
 fn unit_warning(place: TargetPlace) -> Option<String> {
     Some(place.unit_warning()?.to_string())
 }
+
+/// Returns a duration from Python.
+fn seconds(name: &str, value: f64) -> PyResult<Duration> {
+    Duration::try_from_secs_f64(value)
+        .map_err(|_| PyValueError::new_err(format!("{name} is {value}; allowed are 0 or more")))
+}
+
+/// The difference of coordinates that is no motion, in mm or degrees: that of rounded numbers.
+const HERE: f32 = 0.01;
 
 fn mode(path: &str) -> PyResult<MovingMode> {
     let named = path.parse::<PathName>();

@@ -11,7 +11,7 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use serde_json::{Map, Value};
 
-use crate::failure::value_error;
+use crate::failure::{file_error, value_error};
 
 /// Returns the supported file formats: the name and the extensions of each.
 #[pyfunction]
@@ -198,12 +198,14 @@ fn grouped(json: &str) -> PyResult<Options> {
     serde_path_to_error::deserialize(Value::Object(asked)).map_err(|error| {
         let path = error.path().to_string();
         let name = path.rsplit('.').next().unwrap_or_default();
-        PyValueError::new_err(format!("{name}: {}", error.inner()))
+        let problem = error.inner().to_string();
+        let problem = problem.replace("expected f64", "allowed is a number");
+        PyValueError::new_err(format!("{name}: {problem}"))
     })
 }
 
 fn of_file(file: &str) -> PyResult<Subject> {
-    let bytes = std::fs::read(file)?;
+    let bytes = std::fs::read(file).map_err(|error| file_error(&error, Path::new(file)))?;
     let name = Path::new(file)
         .file_name()
         .map(|file_name| file_name.to_string_lossy());

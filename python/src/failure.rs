@@ -1,10 +1,12 @@
 //! Failures, and their exceptions.
 
-use std::fmt;
+use std::borrow::Cow;
+use std::path::Path;
+use std::{fmt, io};
 
 use dobot_api::{ConnectError, Problem, RemoteError, problem_kinds};
 use dobot_host::NoArm;
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -63,7 +65,7 @@ impl Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Refused(problem) => f.write_str(&problem.detail),
+            Self::Refused(problem) => f.write_str(&in_python_terms(&problem.detail)),
             Self::Failed { text, .. } | Self::Paused { text, .. } | Self::LinkLost { text, .. } => {
                 f.write_str(text)
             },
@@ -145,6 +147,84 @@ pub(crate) fn exception(py: Python<'_>, failure: &Failure) -> PyErr {
         Ok(PyErr::from_value(error))
     };
     made().unwrap_or_else(|error| error)
+}
+
+/// Replaces the number and the table of a float in a command by the name of the argument.
+///
+/// `float 9 (GripperValue) is 500; Table 3.7 allows -90 to 90 (degrees)` becomes
+/// `gripper is 500; allowed are -90 to 90 (degrees)`.
+fn in_python_terms(detail: &str) -> Cow<'_, str> {
+    let parts = || {
+        let (before, float) = detail.split_once("float ")?;
+        let (_, named) = float.split_once(" (")?;
+        let (name, found) = named.split_once(") is ")?;
+        let (found, allowed) = found.split_once("; ")?;
+        let (_, allowed) = allowed.split_once(" allows ")?;
+        let (_, argument) = ARGUMENTS.iter().find(|(float, _)| *float == name)?;
+        Some(format!(
+            "{before}{argument} is {found}; allowed is {allowed}"
+        ))
+    };
+    if let Some(rest) = detail.strip_prefix("for_s is ") {
+        return Cow::Owned(format!("seconds is {rest}"));
+    }
+    parts().map_or(Cow::Borrowed(detail), Cow::Owned)
+}
+
+/// The floats of commands, and the arguments of the Python package.
+const ARGUMENTS: [(&str, &str); 32] = [
+    ("X", "x"),
+    ("Y", "y"),
+    ("Z", "z"),
+    ("RHead", "the rotation"),
+    ("GripperValue", "gripper"),
+    ("PauseTime", "pause"),
+    ("StartVel", "start_speed"),
+    ("EndVel", "end_speed"),
+    ("MaxVel", "speed"),
+    ("StarVel", "speed"),
+    ("Joint1 angle", "base"),
+    ("Joint2 angle", "rear"),
+    ("Joint3 angle", "fore"),
+    ("joint2 angle", "rear"),
+    ("joint3 angle", "fore"),
+    ("playback speed", "velocity"),
+    ("playback acceleration", "acceleration"),
+    ("JUMP height", "jump_height"),
+    ("default pause time", "pause"),
+    ("joint jog speed", "joint_speed"),
+    ("joint jog acceleration", "joint_acceleration"),
+    ("joint 4 speed", "servo_speed"),
+    ("joint 4 acceleration", "servo_acceleration"),
+    ("linear jog speed", "linear_speed"),
+    ("linear jog acceleration", "linear_acceleration"),
+    ("max joint moving speed", "joint_speed"),
+    ("max joint moving acceleration", "joint_acceleration"),
+    ("max linear moving speed", "linear_speed"),
+    ("max linear moving acceleration", "linear_acceleration"),
+    ("max servo speed", "servo_speed"),
+    ("max servo acceleration", "servo_acceleration"),
+    ("writing acceleration", "acceleration"),
+];
+
+/// Returns the exception for a file, with its name.
+pub(crate) fn file_error(error: &io::Error, file: &Path) -> PyErr {
+    match error.raw_os_error() {
+        // Python selects the class by the number.
+        Some(number) => {
+            PyOSError::new_err((number, plain_text(error), file.as_os_str().to_owned()))
+        }
+        None => PyOSError::new_err(format!("{}: {error}", file.display())),
+    }
+}
+
+/// Returns the text of an error without its number.
+fn plain_text(error: &io::Error) -> String {
+    let text = error.to_string();
+    let text = text
+        .split_once(" (os error")
+        .map_or(&*text, |(text, _)| text);
+    text.to_owned()
 }
 
 pub(crate) fn lost(error: &dyn std::error::Error, hint: Option<String>) -> Failure {

@@ -6,6 +6,7 @@ mod calibrate;
 mod columns;
 mod drawing;
 mod failure;
+mod follow;
 mod log;
 mod mailbox;
 mod pending;
@@ -48,5 +49,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(ink_deviation, module)?)?;
     module.add_function(wrap_pyfunction!(point_warning, module)?)?;
     module.add_function(wrap_pyfunction!(joints_warning, module)?)?;
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_class::<Core>()
 }

@@ -16,6 +16,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::columns::Columns;
+use crate::failure::file_error;
 #[cfg(feature = "full")]
 use crate::failure::value_error;
 
@@ -115,7 +116,7 @@ impl Log {
 impl Log {
     fn open(&self) -> PyResult<Recording> {
         Recording::open(&self.file).map_err(|error| match error {
-            OpenError::Io(error) => error.into(),
+            OpenError::Io(error) => file_error(&error, &self.file),
             other => PyValueError::new_err(format!("{}: {other}", self.file.display())),
         })
     }
@@ -156,7 +157,8 @@ fn failed(error: ExportError) -> PyErr {
             let file = file.display();
             PyFileExistsError::new_err(format!("{file} exists; replace it with overwrite=True"))
         }
-        ExportError::File { source, .. } | ExportError::Io(source) => source.into(),
+        ExportError::File { file, source } => file_error(&source, &file),
+        ExportError::Io(source) => source.into(),
         #[cfg(feature = "full")]
         ExportError::NoMotion | ExportError::NoTask => value_error(&error),
         other => PyOSError::new_err(other.to_string()),

@@ -5,13 +5,12 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use dobot_api::{Answer, GivenPlace};
-use dobot_wire::Status;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString, PyTuple};
 
 use crate::failure::{Failure, exception};
 use crate::mailbox::{Mailbox, Received};
-use crate::worker::{Operation, Outcome, Progress, Report, Worker};
+use crate::worker::{Operation, Outcome, Progress, Report, Seen, Worker};
 
 /// An operation in progress.
 #[pyclass(frozen)]
@@ -102,7 +101,7 @@ type Polled<'py> = (Option<Bound<'py, PyTuple>>, Option<Bound<'py, PyAny>>);
 fn read(py: Python<'_>, outcome: Outcome) -> PyResult<Bound<'_, PyAny>> {
     Ok(match outcome {
         Outcome::Nothing => PyDict::new(py).into_any(),
-        Outcome::Status(status) => dict(py, status)?.into_any(),
+        Outcome::Status(seen) => dict(py, seen)?.into_any(),
         Outcome::Json(text) => PyString::new(py, &text).into_any(),
     })
 }
@@ -126,7 +125,7 @@ fn counts(py: Python<'_>, part: Progress) -> PyResult<Bound<'_, PyTuple>> {
 /// All statuses from the time of the request.
 #[pyclass(frozen)]
 pub(crate) struct Statuses {
-    pub(crate) statuses: Arc<Mailbox<Status>>,
+    pub(crate) statuses: Arc<Mailbox<Seen>>,
     pub(crate) worker: Arc<Worker>,
 }
 
@@ -189,7 +188,13 @@ fn calling(wake: Py<PyAny>) -> Box<dyn FnOnce() + Send> {
     })
 }
 
-fn dict(py: Python<'_>, status: Status) -> PyResult<Bound<'_, PyDict>> {
+/// Returns the fields of a status for Python.
+pub(crate) fn dict(py: Python<'_>, seen: Seen) -> PyResult<Bound<'_, PyDict>> {
+    let Seen {
+        status,
+        at_s,
+        moving,
+    } = seen;
     let fields = PyDict::new(py);
     fields.set_item("x_mm", status.x_mm)?;
     fields.set_item("y_mm", status.y_mm)?;
@@ -201,6 +206,8 @@ fn dict(py: Python<'_>, status: Status) -> PyResult<Bound<'_, PyDict>> {
     fields.set_item("servo_deg", status.servo_deg)?;
     fields.set_item("suction", status.suction)?;
     fields.set_item("gripper_deg", status.gripper_deg)?;
+    fields.set_item("at_s", at_s)?;
+    fields.set_item("moving", moving)?;
     Ok(fields)
 }
 

@@ -9,13 +9,17 @@ use dobot_api::{NewJob, Problem};
 use dobot_draw::ProgramFiles;
 use dobot_host::{PlannedFor, ProgramJobError, Rules, dry_run_program, program_job};
 use dobot_safety::Policy;
-use dobot_teach::{Files, Program, ProgramError, ProgramForm, Times};
-use dobot_wire::Dialect;
+use dobot_teach::{
+    Action, Files, Program, ProgramError, ProgramForm, RecordedPlace, Steps, Times, ToolState,
+    path_steps, simplified,
+};
+use dobot_wire::{Dialect, MovingMode};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde_json::{Value, json};
+use toml::Spanned;
 
-use crate::failure::value_error;
+use crate::failure::{file_error, value_error};
 
 /// A program, with the folder of the files that it uses.
 #[pyclass(frozen)]
@@ -39,7 +43,7 @@ impl Taught {
     #[staticmethod]
     fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
         let form = form_of(&file)?;
-        let bytes = fs::read(&file)?;
+        let bytes = fs::read(&file).map_err(|error| file_error(&error, &file))?;
         let in_file = |program_error: ProgramError| {
             PyValueError::new_err(format!("{}: {program_error}", file.display()))
         };
@@ -70,6 +74,43 @@ impl Taught {
             .map_err(|error| PyValueError::new_err(numbered(&text, &error)))?;
         Self::new(program.to_toml(), UNNAMED, &folder, Vec::new())
             .map_err(|error| value_error(&error))
+    }
+
+    /// Creates a program of straight lines along a recorded path, with the fewest points within a
+    /// tolerance in mm. A place is x, y and z (mm), the rotation (degrees), the pump and the
+    /// gripper (degrees).
+    #[staticmethod]
+    fn of_path(
+        py: Python<'_>,
+        title: String,
+        places: Vec<([f64; 3], f64, bool, f64)>,
+        tolerance_mm: f64,
+    ) -> PyResult<Self> {
+        if !(0.0..=MAX_TOLERANCE_MM).contains(&tolerance_mm) {
+            return Err(PyValueError::new_err(format!(
+                "tolerance is {tolerance_mm}; allowed are 0 to {MAX_TOLERANCE_MM} mm"
+            )));
+        }
+        py.detach(|| {
+            let recorded = |(point_mm, rotation_deg, suction, gripper_deg)| RecordedPlace {
+                point_mm,
+                rotation_deg,
+                suction,
+                gripper_deg,
+            };
+            let places: Vec<RecordedPlace> = places.into_iter().map(recorded).collect();
+            let mut steps = path_steps(&simplified(&places, tolerance_mm), ToolState::default());
+            if let Some(Action::Go(first)) = steps.first_mut() {
+                // From wherever the arm is, and allowed where it is already.
+                first.path = MovingMode::Jump;
+            }
+            let steps = steps.into_iter().map(|step| Spanned::new(0..0, step));
+            let mut program = Program::default();
+            program.title = title;
+            program.steps = Steps(steps.collect());
+            Self::new(program.to_toml(), UNNAMED, Path::new(""), Vec::new())
+                .map_err(|error| value_error(&error))
+        })
     }
 
     /// Returns the JSON Schema of a program.
@@ -111,7 +152,7 @@ impl Taught {
                 (written.content, written.warnings)
             }
         };
-        fs::write(file, text)?;
+        fs::write(&file, text).map_err(|error| file_error(&error, &file))?;
         Ok(lost)
     }
 
@@ -231,6 +272,9 @@ fn numbered(text: &str, error: &ProgramError) -> String {
         step => format!("step {step}: {}", error.reason),
     }
 }
+
+/// A coarser path would have little to do with the recorded one.
+const MAX_TOLERANCE_MM: f64 = 50.0;
 
 /// The name of a program with neither a title nor a file.
 const UNNAMED: &str = "program";

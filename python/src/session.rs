@@ -4,17 +4,20 @@ mod job;
 
 use std::time::Duration;
 
-use dobot_api::problem_kinds::BAD_PROGRAM;
+use dobot_api::problem_kinds::{BAD_PROGRAM, COMMAND, NO_LEASE};
 use dobot_api::{Answer as JobAnswer, Jog, RemoteError, Reply, Request, State, StationEvent};
 use dobot_controller::PowerUp;
-use dobot_host::StationClient;
-use dobot_wire::{Command, Status};
+use dobot_host::{JobsError, StationClient};
+use dobot_wire::{Command, Dialect, ParseError};
+use serde_json::json;
 use tokio::sync::mpsc::UnboundedReceiver;
 use tokio::time::timeout;
 
-use crate::failure::Failure;
+use crate::failure::{Failure, failed};
 use crate::mailbox::{Mailbox, Received, Sender};
-use crate::worker::{Answer, Inspect, Job, Operation, Outcome, Report, Stop, Subscribers, lock};
+use crate::worker::{
+    Answer, Inspect, Job, Operation, Outcome, Report, Seen, SharedStatuses, Stop, lock,
+};
 
 use self::job::Rests;
 
@@ -34,7 +37,7 @@ pub(crate) struct Session {
     client: StationClient,
     /// The power-up state of the virtual arm of this process.
     power_up: Option<PowerUp>,
-    subscribers: Subscribers,
+    statuses: SharedStatuses,
     held: Option<Held>,
     rests: Option<Rests>,
     /// The answers to questions of programs.
@@ -47,13 +50,13 @@ impl Session {
     pub(crate) const fn new(
         client: StationClient,
         power_up: Option<PowerUp>,
-        subscribers: Subscribers,
+        statuses: SharedStatuses,
         answers: UnboundedReceiver<JobAnswer>,
     ) -> Self {
         Self {
             client,
             power_up,
-            subscribers,
+            statuses,
             held: None,
             rests: None,
             answers,
@@ -92,7 +95,7 @@ impl Session {
                 () = tokio::time::sleep(beat), if beats => self.beat().await,
                 // A broken connection is reported to the next call.
                 event = self.client.next(), if listens => match event {
-                    Ok(event) => publish_state(&self.subscribers, &event),
+                    Ok(event) => publish_state(&self.statuses, &event),
                     Err(_) => listens = false,
                 },
             }
@@ -126,6 +129,7 @@ impl Session {
             Operation::CarryOut(_)
                 | Operation::Draw(_)
                 | Operation::Run(_)
+                | Operation::Follow(_)
                 | Operation::Resume { .. }
                 | Operation::Press(..)
         );
@@ -137,17 +141,20 @@ impl Session {
         }
         match operation {
             Operation::Connected => {}
-            Operation::Status => return Ok(Outcome::Status(self.status().await?)),
+            Operation::NextStatus => return Ok(Outcome::Status(self.next_status().await?)),
+            Operation::State => return Ok(Outcome::Json(self.known().await?)),
             Operation::CarryOut(command) => {
                 let state = self.client.first_state().await?;
                 let arm = state.arm.as_ref().ok_or(RemoteError::Silent)?;
                 let command = command(&arm.status, state.dialect);
-                publish(&self.subscribers, &state);
+                publish(&self.statuses, &state);
+                check(&command, state.dialect)?;
                 self.carry_out(command).await?;
-                return Ok(Outcome::Status(self.status().await?));
+                return Ok(Outcome::Status(self.next_status().await?));
             }
             Operation::Draw(request) => self.draw(*request, reports).await?,
             Operation::Run(run) => self.run(*run, reports).await?,
+            Operation::Follow(follow) => self.follow_path(*follow, reports).await?,
             Operation::Check(source) => {
                 let (_, arm) = self.planned_for().await?;
                 let report = source.report(&arm);
@@ -169,6 +176,7 @@ impl Session {
                     self.pass(BEAT).await?;
                 }
             }
+            Operation::RequestControl(patience) => self.request_control(patience).await?,
             Operation::Controlled(request) => {
                 self.client.request(Request::TakeLease).await?;
                 self.client.request_at_rest(request).await?;
@@ -176,7 +184,7 @@ impl Session {
             Operation::Plain(request) => {
                 // The pose is unknown before the first status.
                 if matches!(request, Request::ConfirmPose) {
-                    self.status().await?;
+                    self.next_status().await?;
                 }
                 self.client.request_at_rest(request).await?;
             }
@@ -201,29 +209,78 @@ impl Session {
         self.client.request(Request::TakeLease).await?;
         let request = Request::Command { command };
         if let Reply::Accepted { command, .. } = self.client.request_at_rest(request).await? {
-            let subscribers = &self.subscribers;
-            let see = |state: &State| publish(subscribers, state);
+            let statuses = &self.statuses;
+            let see = |state: &State| publish(statuses, state);
             self.client.finished_with_states(command, see).await?;
         }
         Ok(())
     }
 
     /// Waits for the next status.
-    async fn status(&mut self) -> Result<Status, Failure> {
+    async fn next_status(&mut self) -> Result<Seen, Failure> {
         if self.held.is_none() {
             let state = self.client.first_state().await?;
-            publish(&self.subscribers, &state);
-            let arm = state.arm.ok_or(RemoteError::Silent)?;
-            return Ok(arm.status);
+            publish(&self.statuses, &state);
+            return Ok(Seen::of(&state).ok_or(RemoteError::Silent)?);
         }
         let (sender, statuses) = Mailbox::new();
-        lock(&self.subscribers).push(sender);
+        lock(&self.statuses).subscribers.push(sender);
         loop {
             if let Received::Message(status) = statuses.receive(Duration::ZERO) {
                 return Ok(status);
             }
             self.pass(BEAT).await?;
         }
+    }
+
+    /// Returns the state, the jobs and the policy, and the number of this client, as a JSON object.
+    async fn known(&mut self) -> Result<String, Failure> {
+        let state = match self.client.request(Request::ShowState).await? {
+            Reply::State { state } => state,
+            reply => return Err(RemoteError::Garbled(format!("{reply:?}")).into()),
+        };
+        publish(&self.statuses, &state);
+        let none = |error: JobsError| failed(error.to_string());
+        let jobs = self.client.jobs().await.map_err(none)?;
+        let arm = self.client.planned_for(&state).await.map_err(none)?;
+        let known = json!({
+            "state": state,
+            "jobs": jobs,
+            "policy": arm.rules.policy,
+            "client": self.client.id(),
+        });
+        Ok(known.to_string())
+    }
+
+    /// Takes control if it is free; otherwise asks its holder, and waits for so long.
+    async fn request_control(&mut self, patience: Duration) -> Result<(), Failure> {
+        let refused = match self.client.request(Request::TakeLease).await {
+            Ok(_) => return Ok(()),
+            Err(error) if error.kind() == Some(NO_LEASE.name) => error,
+            Err(error) => return Err(error.into()),
+        };
+        self.client.request(Request::AskLease).await?;
+        let until = self.client.now().saturating_add(patience);
+        while self.client.now() < until {
+            let left = until.saturating_sub(self.client.now());
+            let Some(event) = self.client.next_within(left).await? else {
+                break;
+            };
+            publish_state(&self.statuses, &event);
+            let StationEvent::State(state) = event else {
+                continue;
+            };
+            let id = self.client.id();
+            match state.lease {
+                Some(lease) if lease.client == id => return Ok(()),
+                Some(_) => {}
+                None => {
+                    self.client.request(Request::TakeLease).await?;
+                    return Ok(());
+                }
+            }
+        }
+        Err(refused.into())
     }
 
     async fn wait(&mut self, time: Duration) -> Result<(), Failure> {
@@ -238,7 +295,7 @@ impl Session {
     /// Lets at most this time pass, and less if there is a message. A button stays held.
     async fn pass(&mut self, time: Duration) -> Result<(), Failure> {
         if let Some(event) = self.client.next_within(time).await? {
-            publish_state(&self.subscribers, &event);
+            publish_state(&self.statuses, &event);
         }
         if self.time_to_beat().is_zero() {
             self.beat().await;
@@ -269,10 +326,10 @@ impl Session {
             return Err(failure);
         }
         self.client.request(Request::Release).await?;
-        let subscribers = &self.subscribers;
+        let statuses = &self.statuses;
         let rest = self
             .client
-            .rest_with_events(|event| publish_state(subscribers, event));
+            .rest_with_events(|event| publish_state(statuses, event));
         timeout(REST, rest).await.ok().transpose()?;
         Ok(())
     }
@@ -313,23 +370,34 @@ impl Session {
     }
 }
 
-fn publish_state(subscribers: &Subscribers, event: &StationEvent) {
+fn publish_state(statuses: &SharedStatuses, event: &StationEvent) {
     if let StationEvent::State(state) = event {
-        publish(subscribers, state);
+        publish(statuses, state);
     }
 }
 
 /// Sends a status to all subscribers. A subscriber that does not read is dropped, and notices that.
-fn publish(subscribers: &Subscribers, state: &State) {
-    let Some(arm) = &state.arm else { return };
-    let mut subscribers = lock(subscribers);
+fn publish(statuses: &SharedStatuses, state: &State) {
+    let Some(seen) = Seen::of(state) else { return };
+    let mut statuses = lock(statuses);
+    statuses.last = Some(seen);
+    let subscribers = &mut statuses.subscribers;
     subscribers.retain(|subscriber| !subscriber.has_no_receiver() && subscriber.unread() < LONGEST);
-    for subscriber in &*subscribers {
-        subscriber.send(arm.status);
+    for subscriber in subscribers {
+        subscriber.send(seen);
     }
 }
 
-/// A third of the time after which a station releases a button.
+/// Checks that the values of a command are those of its table, before it is sent anywhere.
+fn check(command: &Command, dialect: Option<Dialect>) -> Result<(), Failure> {
+    let dialect = dialect.unwrap_or(Dialect::SPECIFICATION);
+    let parsed = Command::parse(&command.emit(&dialect), &dialect);
+    let problem =
+        |error: ParseError| Failure::Refused(Box::new(COMMAND.problem(error.to_string())));
+    parsed.map(drop).map_err(problem)
+}
+
+/// The longest time that passes before a held button is looked at.
 const BEAT: Duration = Duration::from_millis(50);
 /// The maximum time of a deceleration.
 const REST: Duration = Duration::from_secs(5);

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use dobot_api::{Answer as JobAnswer, Jog, Request, StationSearch};
+use dobot_api::{Answer as JobAnswer, Jog, Request, State, StationSearch};
 use dobot_controller::PowerUp;
 use dobot_draw::DrawingRequest;
 use dobot_host::{LocalArm, StationClient};
@@ -15,6 +15,7 @@ use dobot_wire::{Command, Dialect, Status};
 use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
 
 use crate::failure::{Failure, failed, lost};
+use crate::follow::Follow;
 use crate::mailbox::{Mailbox, Sender};
 use crate::program::{Run, Source};
 use crate::session::Session;
@@ -34,11 +35,16 @@ pub(crate) enum Where {
 pub(crate) enum Operation {
     /// Nothing: waits for the connection.
     Connected,
-    Status,
+    /// The next status.
+    NextStatus,
+    /// Everything that the station knows, as JSON.
+    State,
     /// A computed command.
     CarryOut(Box<CommandFor>),
     Draw(Box<DrawingRequest>),
     Run(Box<Run>),
+    /// Move through points without a stop in between.
+    Follow(Box<Follow>),
     /// Check a program for this arm.
     Check(Arc<Source>),
     /// Inspect or change the virtual arm of this process.
@@ -54,7 +60,9 @@ pub(crate) enum Operation {
     Press(Jog, Duration),
     Release,
     /// Let time pass until this mailbox has a message.
-    Subscribe(Arc<Mailbox<Status>>),
+    Subscribe(Arc<Mailbox<Seen>>),
+    /// Take control, or ask its holder for it and wait.
+    RequestControl(Duration),
     /// A request that needs control of the arm.
     Controlled(Request),
     /// A request without control.
@@ -73,8 +81,7 @@ pub(crate) type Answer = Result<Outcome, Failure>;
 /// The value of a finished operation.
 pub(crate) enum Outcome {
     Nothing,
-    /// The arm's last status.
-    Status(Status),
+    Status(Seen),
     /// A JSON value.
     Json(String),
 }
@@ -119,13 +126,41 @@ struct Channels {
     answers: UnboundedSender<JobAnswer>,
 }
 
-/// The subscribers of all statuses.
-pub(crate) type Subscribers = Arc<Mutex<Vec<Sender<Status>>>>;
+/// A received status.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Seen {
+    pub(crate) status: Status,
+    /// The time since the station started, in seconds.
+    pub(crate) at_s: f64,
+    /// Whether the arm moves or may still move.
+    pub(crate) moving: bool,
+}
+
+impl Seen {
+    /// Returns the status of a state, if it has one.
+    pub(crate) fn of(state: &State) -> Option<Self> {
+        let arm = state.arm.as_ref()?;
+        Some(Self {
+            status: arm.status,
+            at_s: state.at_s,
+            moving: arm.moving,
+        })
+    }
+}
+
+/// The last status, and the subscribers of all statuses.
+#[derive(Default)]
+pub(crate) struct Statuses {
+    pub(crate) last: Option<Seen>,
+    pub(crate) subscribers: Vec<Sender<Seen>>,
+}
+
+pub(crate) type SharedStatuses = Arc<Mutex<Statuses>>;
 
 pub(crate) struct Worker {
     channels: Mutex<Option<Channels>>,
     thread: Mutex<Option<JoinHandle<()>>>,
-    subscribers: Subscribers,
+    statuses: SharedStatuses,
     /// The process of the thread; a fork of it has no thread.
     pid: u32,
 }
@@ -136,8 +171,8 @@ impl Worker {
         let (jobs, wanted) = unbounded_channel();
         let (stops, stopped) = unbounded_channel();
         let (answers, answered) = unbounded_channel();
-        let subscribers = Subscribers::default();
-        let shared = Arc::clone(&subscribers);
+        let statuses = SharedStatuses::default();
+        let shared = Arc::clone(&statuses);
         let thread = thread::spawn(move || run(at, &name, &shared, wanted, stopped, answered));
         Self {
             channels: Mutex::new(Some(Channels {
@@ -146,7 +181,7 @@ impl Worker {
                 answers,
             })),
             thread: Mutex::new(Some(thread)),
-            subscribers,
+            statuses,
             pid: process::id(),
         }
     }
@@ -181,10 +216,21 @@ impl Worker {
     }
 
     /// Subscribes to all statuses from now on.
-    pub(crate) fn subscribe(&self) -> Arc<Mailbox<Status>> {
+    pub(crate) fn subscribe(&self) -> Arc<Mailbox<Seen>> {
         let (sender, statuses) = Mailbox::new();
-        lock(&self.subscribers).push(sender);
+        lock(&self.statuses).subscribers.push(sender);
         statuses
+    }
+
+    /// Returns the last known status, if there is one.
+    pub(crate) fn last(&self) -> Result<Option<Seen>, Failure> {
+        if process::id() != self.pid {
+            return Err(Failure::Forked);
+        }
+        if lock(&self.channels).is_none() {
+            return Err(Failure::Closed);
+        }
+        Ok(lock(&self.statuses).last)
     }
 
     /// Disconnects and waits until that is done.
@@ -197,7 +243,7 @@ impl Worker {
         if let Some(thread) = thread {
             let _ = thread.join();
         }
-        lock(&self.subscribers).clear();
+        lock(&self.statuses).subscribers.clear();
     }
 }
 
@@ -208,7 +254,7 @@ pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 fn run(
     at: Where,
     name: &str,
-    subscribers: &Subscribers,
+    statuses: &SharedStatuses,
     mut jobs: UnboundedReceiver<Job>,
     stops: UnboundedReceiver<Stop>,
     answers: UnboundedReceiver<JobAnswer>,
@@ -224,7 +270,7 @@ fn run(
                 Where::Station(_) | Where::Local(_) => None,
             };
             let client = connect(at, name).await?;
-            let session = Session::new(client, power_up, Arc::clone(subscribers), answers);
+            let session = Session::new(client, power_up, Arc::clone(statuses), answers);
             session.serve(&mut jobs, stops).await;
             Ok(())
         }),
@@ -234,7 +280,7 @@ fn run(
     {
         job.answer.send(Report::Over(Err(failure)));
     }
-    lock(subscribers).clear();
+    lock(statuses).subscribers.clear();
 }
 
 async fn connect(at: Where, name: &str) -> Result<StationClient, Failure> {

@@ -43,11 +43,11 @@ def test_a_move_leaves_the_suction_cup_as_it_is_by_default() -> None:
 @pytest.mark.parametrize("x", [900.0, math.nan, math.inf])
 def test_an_unreachable_target_is_refused_and_nothing_moves(x: float) -> None:
     with dobot.connect("virtual:") as arm:
-        before = arm.status()
+        before = arm.next_status()
         with pytest.raises(dobot.Refused) as refused:
             arm.move_to(x, 0, 20)
         assert refused.value.kind
-        assert arm.status() == before
+        assert arm.next_status() == before
 
 
 def test_a_stopped_arm_moves_only_after_a_reset() -> None:
@@ -123,7 +123,7 @@ def test_a_file_is_planned_and_drawn_as_the_documentation_says() -> None:
     with dobot.connect("virtual:firmware-1.1") as arm:
         arm.move_to(220, 0, 20, path="movl")
         arm.suction(True)
-        assert arm.status().suction
+        assert arm.next_status().suction
         plan = dobot.plan(HARBOUR, paper="a5")
         assert plan.vectors > 100
         reported: list[tuple[int, int]] = []
@@ -184,10 +184,10 @@ def test_a_jog_lasts_as_long_as_its_with_and_ends_at_rest() -> None:
         arm.move_to(200, 0, 60)
         with arm.jog("y+", speed=50):
             arm.wait(1.0)
-        after = arm.status()
+        after = arm.next_status()
         assert after.y_mm > 5
         arm.wait(1.0)
-        assert arm.status().y_mm == pytest.approx(after.y_mm, abs=0.5)
+        assert arm.next_status().y_mm == pytest.approx(after.y_mm, abs=0.5)
 
 
 def test_a_jog_that_is_too_long_is_let_go_and_says_so() -> None:
@@ -196,9 +196,9 @@ def test_a_jog_that_is_too_long_is_let_go_and_says_so() -> None:
         with pytest.raises(dobot.Failed, match="at_most"):
             with arm.jog("y+", speed=20, at_most=0.5):
                 arm.wait(5.0)
-        first = arm.status().y_mm
+        first = arm.next_status().y_mm
         arm.wait(1.0)
-        assert arm.status().y_mm == pytest.approx(first, abs=0.1)
+        assert arm.next_status().y_mm == pytest.approx(first, abs=0.1)
 
 
 def test_nothing_else_moves_the_arm_while_a_button_is_held() -> None:
@@ -248,7 +248,7 @@ def test_gripper_and_speed_reach_the_arm() -> None:
     with dobot.connect("virtual:firmware-1.1") as arm:
         arm.move_to(200, 0, 60)
         arm.gripper(30)
-        assert arm.status().gripper_deg == pytest.approx(30)
+        assert arm.next_status().gripper_deg == pytest.approx(30)
         arm.speed(20, 20)
         with pytest.raises(dobot.Refused):
             arm.speed(-5, 50)
@@ -311,7 +311,7 @@ def test_the_arm_stops_when_the_interpreter_that_jogs_it_is_killed(
         reported = (it.y_mm for it in islice(statuses, 200))
         ended = next((y_mm for y_mm, next_mm in pairwise(reported) if y_mm == next_mm), None)
         watcher.wait(0.5)
-        assert watcher.status().y_mm == ended
+        assert watcher.next_status().y_mm == ended
 
 
 BURNS = """
@@ -396,7 +396,7 @@ def test_coroutines_move_the_arm_and_hear_its_statuses_meanwhile() -> None:
             assert len(heard) > 5
             async with arm.jog("y-", 20):
                 await arm.wait(0.5)
-            assert (await arm.status()).y_mm < there.y_mm
+            assert (await arm.next_status()).y_mm < there.y_mm
             with pytest.raises(dobot.Refused):
                 await arm.move_to(900, 0, 0)
 
@@ -415,7 +415,7 @@ def test_loops_may_share_an_arm_one_after_the_other_and_at_once() -> None:
         reported = list(threads.map(in_a_loop_of_its_own, (0, 30)))
     # Each waits for its own motion, or for that and the next one.
     assert {round(it) for it in reported} <= {0, 30}
-    assert round(asyncio.run(arm.status()).y_mm) in (0, 30)
+    assert round(asyncio.run(arm.next_status()).y_mm) in (0, 30)
     asyncio.run(arm.close())
 
 

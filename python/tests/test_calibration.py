@@ -26,7 +26,7 @@ def touches(arm: dobot.Arm) -> list[dobot.Touch]:
             reported = [a - b for a, b in zip(reported, off)]
         else:
             pytest.fail(f"it does not reach {x}, {y}")
-        found.append(dobot.Touch(x, y, arm.status()))
+        found.append(dobot.Touch(x, y, arm.next_status()))
     return found
 
 

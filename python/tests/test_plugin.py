@@ -10,7 +10,7 @@ import pytest
 
 import dobot_arm as dobot
 
-LOOK = "\n    assert not virtual_arm.status().suction\n"
+LOOK = "\n    assert not virtual_arm.next_status().suction\n"
 
 
 def test_an_hour_of_an_arm_takes_no_hour(virtual_arm: dobot.Arm) -> None:

@@ -26,7 +26,7 @@ def test_a_program_made_of_steps_is_done_step_by_step() -> None:
     reported: list[tuple[int, int]] = []
     with dobot.connect("virtual:firmware-1.1") as arm:
         arm.run(program, progress=lambda step, steps, cycle, cycles: reported.append((step, steps)))
-        end = arm.status()
+        end = arm.next_status()
         assert (end.x_mm, end.y_mm, end.z_mm) == pytest.approx((200, -60, 0), abs=0.5)
         assert not end.suction
     assert reported == sorted(reported) and {step for step, _ in reported} == {1, 2}
@@ -41,7 +41,7 @@ def test_a_program_is_done_as_often_as_asked() -> None:
         assert {cycle for cycle, _ in reported} >= {1, 2, 3} and {cycles for _, cycles in reported} == {3}
         arm.move_to(220, 0, 20)
         arm.run(program, from_step=2)
-        assert arm.status().y_mm == pytest.approx(-60, abs=0.5)
+        assert arm.next_status().y_mm == pytest.approx(-60, abs=0.5)
         for wrong in (0, 3):
             with pytest.raises(dobot.Refused, match="allowed are 1 to 2"):
                 arm.run(program, from_step=wrong)
@@ -79,13 +79,13 @@ def test_all_problems_are_reported_before_anything_moves() -> None:
     program = dobot.program(points=POINTS, steps=[*TO_AND_FRO, far, far])
     assert [it.step for it in program.check().problems] == [3, 4]
     with dobot.connect("virtual:") as arm:
-        before = arm.status()
+        before = arm.next_status()
         assert len(arm.check(program).problems) == 2
         with pytest.raises(dobot.Refused) as refused:
             arm.run(program)
         assert refused.value.kind == "bad-program"
         assert "step 3" in str(refused.value) and "step 4" in str(refused.value)
-        assert arm.status() == before
+        assert arm.next_status() == before
 
 
 def test_an_invalid_program_is_an_error_with_its_step_or_line(tmp_path: Path) -> None:
@@ -138,7 +138,7 @@ def test_the_vendors_points_are_read_and_written(tmp_path: Path) -> None:
     assert dobot.program(steps=[*joints, {"go": {"x": 200, "y": 20, "z": 30}}]).save(there) == []
     with dobot.connect("virtual:firmware-1.1") as arm:
         arm.run(dobot.program(there))
-        status = arm.status()
+        status = arm.next_status()
         assert (status.x_mm, status.y_mm, status.z_mm) == pytest.approx((200, 20, 30), abs=0.1)
     with pytest.raises(ValueError, match="step 1 .*too far"):
         dobot.program(steps=[{"go": {"x": 400, "y": 0, "z": 0}}]).save(there)
@@ -153,12 +153,12 @@ def test_a_program_that_waits_for_a_person_says_so_and_continues() -> None:
         with pytest.raises(dobot.Paused, match="put the cube there") as paused:
             arm.run(program)
         assert paused.value.job > 0
-        assert arm.status().y_mm == pytest.approx(60, abs=0.5)
+        assert arm.next_status().y_mm == pytest.approx(60, abs=0.5)
         with pytest.raises(dobot.Refused, match="waits for a person"):
             arm.resume()
-        assert arm.status().y_mm == pytest.approx(60, abs=0.5)
+        assert arm.next_status().y_mm == pytest.approx(60, abs=0.5)
         arm.resume(as_person=True)
-        assert arm.status().y_mm == pytest.approx(-60, abs=0.5)
+        assert arm.next_status().y_mm == pytest.approx(-60, abs=0.5)
         with pytest.raises(dobot.Failed, match="no paused job"):
             arm.resume()
         with pytest.raises(dobot.Paused):
@@ -180,9 +180,9 @@ def test_a_program_runs_at_a_station_waits_there_and_goes_on(station: str) -> No
         arm.move_to(200, 0, 30)
         with pytest.raises(dobot.Paused, match="put the cube there"):
             arm.run(program)
-        assert arm.status().y_mm == pytest.approx(15, abs=0.5)
+        assert arm.next_status().y_mm == pytest.approx(15, abs=0.5)
         arm.resume(as_person=True)
-        assert arm.status().y_mm == pytest.approx(-15, abs=0.5)
+        assert arm.next_status().y_mm == pytest.approx(-15, abs=0.5)
 
 
 def test_coroutines_run_programs_too() -> None:
@@ -191,7 +191,7 @@ def test_coroutines_run_programs_too() -> None:
             program = dobot.program(points=POINTS, steps=TO_AND_FRO)
             assert (await arm.check(program)).problems == ()
             await arm.run(program)
-            assert (await arm.status()).y_mm == pytest.approx(-60, abs=0.5)
+            assert (await arm.next_status()).y_mm == pytest.approx(-60, abs=0.5)
 
     asyncio.run(main())
 
@@ -232,14 +232,14 @@ def test_a_function_answers_the_questions_of_a_program() -> None:
 
         arm.run(program, progress=None, ask=answer)
         assert asked == ["Where is cube?", "Which side?"]
-        assert abs(arm.status().y_mm - 80) < 0.5
+        assert abs(arm.next_status().y_mm - 80) < 0.5
 
 
 def test_a_coroutine_runs_a_program_that_asks() -> None:
     async def main() -> None:
         async with await dobot.aconnect("virtual:") as arm:
             await arm.run(dobot.program(text=SORT), progress=None, ask=seen)
-            assert abs((await arm.status()).y_mm - 80) < 0.5
+            assert abs((await arm.next_status()).y_mm - 80) < 0.5
 
     asyncio.run(main())
 

@@ -71,7 +71,7 @@ def test_a_vector_burns_only_with_an_armed_laser(station: str) -> None:
         before = arm.move_to(220, 0, 40)
         with pytest.raises(dobot.Refused, match="laser"):
             arm.vector(0, 20, 0, burn=True)
-        assert arm.status() == before
+        assert arm.next_status() == before
         arm.arm_laser(60)
         assert arm.vector(0, 20, 0, burn=True).y_mm == pytest.approx(20, abs=0.3)
 
@@ -88,7 +88,7 @@ def test_targets_of_all_commands_keep_the_rules() -> None:
         for command in out_of_reach:
             with pytest.raises(dobot.Refused):
                 command(arm)
-        assert arm.status() == before
+        assert arm.next_status() == before
 
 
 def test_a_jog_has_the_configured_speed() -> None:
@@ -98,7 +98,7 @@ def test_a_jog_has_the_configured_speed() -> None:
             arm.set_jog(linear_speed=linear_speed, linear_acceleration=200)
             with arm.jog("y+", speed=100):
                 arm.wait(1.0)
-            return arm.status().y_mm
+            return arm.next_status().y_mm
 
     # Trapezoids with the same ramps: 60 mm/s, and 20 mm/s.
     assert jogged_mm(60) > 2.5 * jogged_mm(20)
@@ -123,7 +123,7 @@ def test_jumps_and_moves_have_the_configured_height_and_speed() -> None:
 
                 watcher = asyncio.create_task(watch())
                 await asyncio.sleep(0)
-                await arm.move_to(220, 60, 40)
+                await arm.jump(220, 60, 40)
                 watcher.cancel()
                 return heights
 
@@ -207,7 +207,7 @@ def test_python_sends_what_the_command_line_sends(station: str, tmp_path: Path) 
     start = "move 220 0 40 --rotation 0"
     with dobot.connect(station) as arm:
         arm.confirm_pose()
-        arm.move_to(220, 0, 40, 0)
+        arm.jump(220, 0, 40, 0)
         for call, _ in pairs:
             call(arm)
         arm.confirm_pose()

@@ -94,6 +94,9 @@ def check_dataset(folder, statuses):
         for stat in ["min", "max", "mean", "std"]:
             assert np.allclose(stats[name][stat], getattr(values, stat)(axis=0), rtol=1e-6, atol=1e-6), f"{name} {stat}"
         assert stats[name]["count"] == [len(values)]
+        for share in (1, 10, 50, 90, 99):
+            quantile = np.quantile(np.asarray(values, dtype=np.float64), share / 100, axis=0)
+            assert np.allclose(stats[name][f"q{share:02}"], quantile, rtol=1e-5, atol=1e-5), f"{name} q{share:02}"
     stretches = without_silence(statuses)
     assert len(stretches) == len(episodes), len(stretches)
     for number, (episode, stretch) in enumerate(zip(episodes, stretches)):

@@ -176,19 +176,25 @@ impl ToolState {
     }
 }
 
-/// Steps along a recorded path: straight lines through its places.
+/// Steps along a recorded path: straight lines through its places. Where only the tool changes, it is switched
+/// on the spot, since a stock arm loses its pose on a straight line of no length (note N34).
 #[must_use]
 pub fn path_steps(places: &[RecordedPlace], mut before: ToolState) -> Vec<Action> {
+    let mut here = None;
     let step = |place: &RecordedPlace| {
         let then = before.changes_to(place);
         before = before.after(then);
-        Action::Go(Go {
+        let point = place.point();
+        if here.replace(point.clone()).as_ref() == Some(&point) {
+            return (then != Here::default()).then_some(Action::Here(then));
+        }
+        Some(Action::Go(Go {
             path: MovingMode::MovL,
             then,
-            ..Go::to(Place::At(place.point()))
-        })
+            ..Go::to(Place::At(point))
+        }))
     };
-    places.iter().map(step).collect()
+    places.iter().filter_map(step).collect()
 }
 
 /// Rounds to parts of one; replaces a negative zero by zero.
@@ -230,6 +236,22 @@ mod tests {
         // A chord of angle a is r (1 - cos(a / 2)) off: 1 mm of 200 mm allows 11.5 degrees. Halving
         // 90 degrees gives 11.25 in the end, which is 8 chords.
         assert_eq!(simplified(&path, 1.0).len(), 9);
+    }
+
+    #[test]
+    fn a_tool_is_switched_on_the_spot_without_a_line_of_no_length() {
+        let there = place([200.0, 0.0, 0.0]);
+        let switched = RecordedPlace {
+            suction: true,
+            ..there
+        };
+        let steps = path_steps(&[there, there, switched, switched], ToolState::default());
+        let on = Here {
+            suction: Some(true),
+            ..Here::default()
+        };
+        assert!(matches!(steps[0], Action::Go(_)));
+        assert_eq!(steps[1..], [Action::Here(on)]);
     }
 
     #[test]

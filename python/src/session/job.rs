@@ -7,6 +7,7 @@ use dobot_motion::burns;
 
 use super::{Session, publish};
 use crate::failure::{Failure, failed};
+use crate::follow::Follow;
 use crate::mailbox::Sender;
 use crate::program::Run;
 use crate::worker::{Progress, Report};
@@ -52,6 +53,19 @@ impl Session {
         let making = tokio::task::spawn_blocking(move || run.job(&arm));
         let job = making.await.map_err(|error| failed(error.to_string()))?;
         let job = job.map_err(|error| Failure::Refused(Box::new(error)))?;
+        self.begin(job, &state, reports).await
+    }
+
+    /// Moves through points as a job.
+    pub(super) async fn follow_path(
+        &mut self,
+        follow: Follow,
+        reports: &Sender<Report>,
+    ) -> Result<(), Failure> {
+        let (state, arm) = self.planned_for().await?;
+        let planning = tokio::task::spawn_blocking(move || follow.job(&arm));
+        let job = planning.await.map_err(|error| failed(error.to_string()))?;
+        let job = job.map_err(|problem| Failure::Refused(Box::new(problem)))?;
         self.begin(job, &state, reports).await
     }
 
@@ -191,7 +205,7 @@ impl Session {
         loop {
             match self.client.next().await? {
                 StationEvent::State(state) => {
-                    publish(&self.subscribers, &state);
+                    publish(&self.statuses, &state);
                     if let Some(view) = state.job.as_ref().filter(|view| view.job == job) {
                         reports.send(Report::Progress(progress(view)));
                         if asked != view.question {

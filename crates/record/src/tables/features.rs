@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::cell::{Cell, Column, Kind, column};
 use super::frames::{FPS, Frame};
-use super::summary::Summary;
+use super::summary::{QUANTILES, Summary};
 
 /// A feature of a dataset.
 pub(crate) struct Feature {
@@ -146,13 +146,16 @@ impl Summaries {
     /// The summaries in the form of `stats.json`.
     pub(crate) fn to_json(&self) -> Value {
         let each = FEATURES.iter().zip(&self.0).map(|(feature, summary)| {
-            let stats = json!({
+            let mut stats = json!({
                 "min": summary.min,
                 "max": summary.max,
                 "mean": summary.mean,
                 "std": summary.std(),
                 "count": [summary.count],
             });
+            for ((name, _), quantile) in QUANTILES.iter().zip(summary.quantiles()) {
+                stats[name] = quantile.into();
+            }
             (feature.name.to_owned(), stats)
         });
         Value::Object(each.collect())
@@ -162,26 +165,30 @@ impl Summaries {
     pub(crate) fn columns() -> impl Iterator<Item = Column> {
         FEATURES.iter().flat_map(|feature| {
             let one = |stat: &str, kind| column(format!("stats/{}/{stat}", feature.name), kind);
-            [
+            let mut columns = vec![
                 one("min", Kind::Doubles),
                 one("max", Kind::Doubles),
                 one("mean", Kind::Doubles),
                 one("std", Kind::Doubles),
                 one("count", Kind::Integers),
-            ]
+            ];
+            columns.extend(QUANTILES.map(|(name, _)| one(name, Kind::Doubles)));
+            columns
         })
     }
 
     /// The cells of these columns.
     pub(crate) fn cells(&self) -> impl Iterator<Item = Cell> {
         self.0.iter().flat_map(|summary| {
-            [
+            let mut cells = vec![
                 Cell::Doubles(summary.min.clone()),
                 Cell::Doubles(summary.max.clone()),
                 Cell::Doubles(summary.mean.clone()),
                 Cell::Doubles(summary.std()),
                 Cell::Integers(vec![summary.count.into()]),
-            ]
+            ];
+            cells.extend(summary.quantiles().map(Cell::Doubles));
+            cells
         })
     }
 }

@@ -98,14 +98,15 @@ impl<W: Write + Send> fmt::Debug for Table<W> {
     }
 }
 
-/// A cell of a CSV file, which has no lists.
+/// A cell of a CSV file, which has no lists. Readers guess the type of a column from its first cells, so that
+/// each number of a column has a decimal point, or none, and each time as many digits.
 fn text(cell: &Cell) -> String {
     match cell {
         Cell::Time(ns) => Timestamp::from_nanosecond(i128::from(*ns))
-            .map_or_else(|_| ns.to_string(), |time| time.to_string()),
+            .map_or_else(|_| ns.to_string(), |time| format!("{time:.9}")),
         Cell::Integer(value) => value.to_string(),
-        Cell::Float(value) => value.to_string(),
-        Cell::Double(value) => value.to_string(),
+        Cell::Float(value) => format!("{value:?}"),
+        Cell::Double(value) => format!("{value:?}"),
         Cell::Truth(value) => value.to_string(),
         Cell::Text(text) => text.clone().unwrap_or_default(),
         Cell::Integers(_) | Cell::Floats(_) | Cell::Doubles(_) | Cell::Texts(_) => String::new(),

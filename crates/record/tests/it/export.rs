@@ -112,8 +112,8 @@ fn every_status_is_a_row_with_its_time_and_every_packet_one_with_its_meaning() {
     assert_eq!((written.statuses, written.commands), (43, 3));
     let statuses = rows(&statuses);
     assert_eq!(statuses.len(), 43);
-    assert_eq!(statuses[3][..2], ["2026-11-21T12:30:00.34Z", "0.34"]);
-    assert_eq!(statuses[3][6], "3");
+    assert_eq!(statuses[3][..2], ["2026-11-21T12:30:00.340000000Z", "0.34"]);
+    assert_eq!(statuses[3][6], "3.0");
     assert_eq!((&*statuses[10][10], &*statuses[11][10]), ("false", "true"));
     let commands = rows(&commands);
     assert_eq!(commands[0][2], "move_to");
@@ -121,12 +121,50 @@ fn every_status_is_a_row_with_its_time_and_every_packet_one_with_its_meaning() {
     assert_eq!(fields["x_mm"], 200.0);
     assert_eq!((&*commands[1][2], &*commands[1][3]), ("", ""));
     assert!(commands[1][4].contains("float 8"), "{:?}", commands[1]);
-    assert_eq!(commands[1][12], "3");
+    assert_eq!(commands[1][12], "3.0");
     // It was complete with its second piece.
     assert_eq!(
         commands[2][..3],
-        ["2026-11-21T12:30:00.003Z", "0.003", "joint_jog"]
+        ["2026-11-21T12:30:00.003000000Z", "0.003", "joint_jog"]
     );
+}
+
+/// polars takes a column whose first cells have no decimal point for one of integers.
+#[test]
+fn the_cells_of_a_csv_column_all_look_like_its_type() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = recorded(folder.path(), session());
+    let (_, [statuses, commands, ..]) = tables(&file, &ALL);
+    for table in [rows(&statuses), rows(&commands)] {
+        for column in 0..table[0].len() {
+            let cells = table.iter().map(|row| &*row[column]);
+            let mut kinds: Vec<&str> = cells
+                .filter(|cell| !cell.is_empty())
+                .map(looks_like)
+                .collect();
+            kinds.sort_unstable();
+            kinds.dedup();
+            assert!(kinds.len() <= 1, "column {column}: {kinds:?}");
+        }
+        let times = table.iter().map(|row| row[0].len());
+        assert!(
+            times
+                .clone()
+                .all(|len| len == "2026-11-21T12:30:00.340000000Z".len())
+        );
+    }
+}
+
+fn looks_like(cell: &str) -> &str {
+    if cell.parse::<i64>().is_ok() {
+        "an integer"
+    } else if cell.parse::<f64>().is_ok() {
+        "a float"
+    } else if cell.parse::<bool>().is_ok() {
+        "a truth value"
+    } else {
+        "a text"
+    }
 }
 
 #[test]
