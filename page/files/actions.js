@@ -35,8 +35,9 @@ const isStillMoving = (problem) => problem?.type?.endsWith("/still-moving") ?? f
  * @param {import("./station/lessons.js").Lessons} outside.lessons
  * @param {import("./station/jobs.js").JobRequests} outside.jobs
  * @param {import("./station/teach.js").TeachRequests} outside.teach
+ * @param {import("./station/look.js").LookRequests} outside.look
  */
-export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, jobs, teach }) {
+export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, jobs, teach, look }) {
   const { send } = store;
   /** Number of stops so far, by this page or another client. */
   let stops = 0;
@@ -160,7 +161,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
 
   return {
     setStudent,
-    send, ask, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs, teach,
+    send, ask, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs, teach, look,
 
     /** Asks for confirmation. @param {Question} question */
     question: (question) => send({ type: "question", question }),
