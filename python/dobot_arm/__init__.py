@@ -26,13 +26,14 @@ if TYPE_CHECKING:
     from .simulation import Simulation, simulate
     from .table import Table
     from .testing import assert_ink, assert_object
+    from .vision import Eye, Place, calibrate_from_photo, draw_crosses
 
 __all__ = [
-    "Arm", "Ask", "AsyncArm", "AsyncJog", "Button", "Calibration", "Closed", "Error", "Failed", "Jog", "Kind",
-    "LinkLost", "Object", "Path", "Paused", "Plan", "Point", "Program", "ProgramProblem", "ProgramReport",
+    "Arm", "Ask", "AsyncArm", "AsyncJog", "Button", "Calibration", "Closed", "Error", "Eye", "Failed", "Jog", "Kind",
+    "LinkLost", "Object", "Path", "Paused", "Place", "Plan", "Point", "Program", "ProgramProblem", "ProgramReport",
     "ProgramStep", "Progress", "Question", "Recording", "Refused", "SHEET", "Served", "Simulation", "Status", "Step",
-    "Stopped", "Table", "Tool", "Touch", "World", "aconnect", "assert_ink", "assert_object", "bar", "calibrate",
-    "connect", "formats", "kinds", "log", "plan", "program", "program_bar", "serve", "simulate",
+    "Stopped", "Table", "Tool", "Touch", "World", "aconnect", "assert_ink", "assert_object", "bar", "calibrate", "calibrate_from_photo",
+    "connect", "draw_crosses", "formats", "kinds", "log", "plan", "program", "program_bar", "serve", "simulate",
 ]
 
 _LATER = {
@@ -50,6 +51,10 @@ _LATER = {
     "Simulation": "simulation",
     "simulate": "simulation",
     "Table": "table",
+    "Eye": "vision",
+    "Place": "vision",
+    "calibrate_from_photo": "vision",
+    "draw_crosses": "vision",
     "assert_ink": "testing",
     "assert_object": "testing",
 }

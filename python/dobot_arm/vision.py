@@ -7,7 +7,7 @@ arm. The functions are those of the page (``page/files/vision``), tested with th
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, cast
 
@@ -24,7 +24,10 @@ except ImportError as missing:  # pragma: no cover
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from .arm import Arm
+    from .calibration import Calibration
     from .programs import Ask, Question
+    from .status import Status
 
     Array = NDArray[np.float64]
     Frame = NDArray[np.uint8]
@@ -104,7 +107,7 @@ class Eye:
 
     def __init__(self, camera: int | str | None = 0, *, heights: Mapping[int, float] | None = None) -> None:
         self.heights = dict(heights or {})
-        self._detector = cv2.aruco.ArucoDetector(cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50), _parameters())
+        self._detector = cv2.aruco.ArucoDetector(cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50))
         self._camera = None if camera is None else cv2.VideoCapture(camera)
         if self._camera is not None and not self._camera.isOpened():
             raise Error(f"camera {camera!r} cannot be opened; check its cable, and that no other program uses it")
@@ -188,13 +191,61 @@ class Eye:
         if numbers is None:
             return {}
         # OpenCV counts from the middle of the first pixel.
-        return {int(number): np.asarray(own, float).reshape(4, 2) + 0.5 for number, own in zip(numbers.ravel(), corners)}
+        rough = [np.asarray(own, float).reshape(4, 2) + 0.5 for own in corners]
+        return {int(number): _exact_corners(light, own) for number, own in zip(numbers.ravel(), rough)}
 
 
-def _parameters() -> Any:
-    parameters = cv2.aruco.DetectorParameters()
-    parameters.cornerRefinementMethod = cv2.aruco.CORNER_REFINE_CONTOUR
-    return parameters
+_NEAR_PX, _PLACES, _ENDS = 3, 16, 0.12
+
+
+def _exact_corners(light: Frame, rough: Array) -> Array:
+    """The exact corners of a marker: where lines through its edges meet."""
+    lines = [_edge(light, rough[n], rough[(n + 1) % 4]) for n in range(4)]
+    exact = rough.copy()
+    for n in range(4):
+        before, after = lines[n - 1], lines[n]
+        if before is None or after is None:
+            continue
+        (p, a), (q, b) = before, after
+        sine = a[0] * b[1] - a[1] * b[0]
+        if abs(sine) < 0.1:
+            continue
+        met = p + a * ((q[0] - p[0]) * b[1] - (q[1] - p[1]) * b[0]) / sine
+        if np.linalg.norm(met - rough[n]) < 2 * _NEAR_PX:
+            exact[n] = met
+    return exact
+
+
+def _edge(light: Frame, start: Array, end: Array) -> tuple[Array, Array] | None:
+    """The line along an edge: a point and its direction. The marker is black, and its corners go clockwise."""
+    along = (end - start) / np.linalg.norm(end - start)
+    out = np.array([along[1], -along[0]])
+    parts = np.linspace(_ENDS, 1 - _ENDS, _PLACES)
+    away = np.arange(-_NEAR_PX - 0.5, _NEAR_PX + 0.75, 0.5)
+    at = (start + parts[:, None] * (end - start))[:, None] + away[None, :, None] * out - 0.5
+    seen = cv2.remap(light, at[..., 0].astype(np.float32), at[..., 1].astype(np.float32), cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE).astype(float)
+    # From half a pixel before each place to half a pixel after it.
+    slopes = np.maximum(0, seen[:, 2:] - seen[:, :-2])
+    near = np.abs(np.arange(slopes.shape[1]) - slopes.argmax(axis=1)[:, None]) <= 3
+    slopes = slopes * near
+    sums = slopes.sum(axis=1)
+    kept = sums >= 20
+    if kept.sum() < _PLACES / 2:
+        return None
+    middle = (slopes @ away[1:-1])[kept] / sums[kept]
+    points = (start + parts[:, None] * (end - start))[kept] + middle[:, None] * out
+    return _line(points)
+
+
+def _line(points: Array) -> tuple[Array, Array]:
+    """The line through points, without those that are far off it."""
+    middle = points.mean(axis=0)
+    (xx, xy), (_, yy) = (points - middle).T @ (points - middle)
+    turn = np.arctan2(2 * xy, xx - yy) / 2
+    along = np.array([np.cos(turn), np.sin(turn)])
+    off = np.abs((points - middle) @ np.array([along[1], -along[0]]))
+    kept = points[off < 0.6]
+    return _line(kept) if _PLACES / 2 <= len(kept) < len(points) else (middle, along)
 
 
 def _straight(size: tuple[int, int], lens: float, pixels: Array) -> Array:
@@ -329,6 +380,58 @@ def _blob(frame: Frame, view: _View, hue_deg: float, seen_at: float) -> Place | 
     return Place(float(x), float(y), 0.0, seen_at)
 
 
+CROSSES = tuple((140.0 + 30.0 * row, -90.0 + 45.0 * column) for row in range(5) for column in range(5))
+"""Where an arm draws crosses for a photo, in mm: between the points of the sheet."""
+
+
+@dataclass(frozen=True)
+class Cross:
+    """A cross that an arm drew."""
+
+    wanted: tuple[float, float]
+    """Where it was to be, in mm."""
+    status: Status
+    """What the arm reported at its middle."""
+
+
+def draw_crosses(arm: Arm, z_mm: float | Callable[[float, float], float], *, lift_mm: float = 15.0, speed: float = 30.0) -> list[Cross]:
+    """Draws 25 crosses on the sheet, for :func:`calibrate_from_photo`. Mount the pen, and use no calibration.
+
+    ``z_mm`` is where the pen touches the paper: a number, or a function of x and y for paper that is not level for an arm
+    without calibration. They must land within 14 mm of :data:`CROSSES`; touch four points of the sheet first if they do not.
+    """
+    height = z_mm if callable(z_mm) else lambda x, y: z_mm
+    drawn = []
+    arm.speed(speed, speed)
+    for x, y in CROSSES:
+        z = height(x, y)
+        arm.move_to(x, y, z + lift_mm, path="movj")
+        arm.move_to(x, y, z, path="movl")
+        drawn.append(Cross((x, y), arm.status()))
+        for dx, dy in (_DIAGONAL, -_DIAGONAL), (_DIAGONAL, _DIAGONAL):
+            for way in (1, -1, 0):
+                arm.move_to(x + way * dx, y + way * dy, height(x + way * dx, y + way * dy), path="movl")
+        arm.move_to(x, y, z + lift_mm, path="movl")
+    return drawn
+
+
+def calibrate_from_photo(drawn: Sequence[Cross], photo: Frame, *, tool_measured: bool = False) -> Calibration:
+    """Fits a calibration to crosses that an arm drew, and a photo of the sheet with its four corners.
+
+    Raises :class:`Error` if fewer than 12 of the crosses are found, and :class:`ValueError` as :func:`calibrate`.
+    """
+    from .calibration import Touch, calibrate
+
+    found = Eye(None).crosses(photo, [cross.wanted for cross in drawn])
+    touches = [Touch(*place, cross.status) for place, cross in zip(found, drawn) if place is not None]
+    if len(touches) < _LEAST_CROSSES:
+        raise Error(f"{len(touches)} of {len(drawn)} crosses were found in the photo; at least {_LEAST_CROSSES} are needed: take a sharp photo from above, without shadows")
+    return calibrate(touches, tool_measured=tool_measured)
+
+
+_LEAST_CROSSES = 12
+_DIAGONAL = 4 / 2**0.5
+"""How far a line of a cross reaches, along x and y: lines of 8 mm at 45 degrees."""
 _STEP_MM = 0.1
 """The grid on which the surroundings of a cross are seen from above."""
 _ARM_MM = 3.6

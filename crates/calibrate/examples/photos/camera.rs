@@ -170,4 +170,4 @@ fn normal(a: [f64; 3]) -> [f64; 3] {
 /// The middle of the sheet.
 const MIDDLE: [f64; 2] = [196.0, -4.0];
 /// The rays of a pixel along each axis.
-const RAYS: usize = 3;
+const RAYS: usize = 2;
