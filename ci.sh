@@ -50,6 +50,7 @@ readonly WIDE_STEPS=(
   "workflows    Check the workflow files with actionlint"
   "site         Build README and docs as a website, and check its links"
   "models       Load the arm's models with yourdfpy and mujoco, and compare the kinematics"
+  "eyes         Measure the accuracy of the camera with 60 photos, and of the calibration from one photo with 200 arms"
   "python-full  Run the tests of the parts of the Python package that need the feature full"
   "recordings   Read recordings and tables with mcap, pandas and datasets, and live data with Foxglove's client"
   "icons        Compare drawings of icons and styles with Chromium's pictures"
@@ -381,6 +382,7 @@ step_python() {
   needs_packages ci
   build_all
   folder=$(assembled_package)
+  use_photos
   (
     # Away from the sources, so that the assembled package is tested.
     cd "$folder"
@@ -390,6 +392,28 @@ step_python() {
     "$VENV/bin/mypy" --strict "$tests"
     "$VENV/bin/mypy" --strict -p dobot_arm
     "$VENV/bin/pyright" --pythonpath "$VENV/bin/python" "$tests" "$folder/dobot_arm"
+  )
+  rm -rf "$folder"
+}
+
+# The program that renders photos for the tests of the camera.
+use_photos() {
+  PHOTOS=$(realpath "$(built)/examples/photos")
+  export PHOTOS
+}
+
+# More photos than the tests of the page and of the Python package use.
+step_eyes() {
+  local folder tests=$PWD/python/tests
+  needs_packages wide
+  needs_page
+  build_all
+  use_photos
+  PHOTOS_COUNT=60 node --test page/tests/look_accuracy.test.mjs
+  folder=$(assembled_package)
+  (
+    cd "$folder"
+    PHOTOS_ARMS=200 PYTHONPATH=$folder "$VENV/bin/pytest" --quiet -rP -p no:cacheprovider "$tests/test_vision.py" -k one_photo
   )
   rm -rf "$folder"
 }
@@ -610,7 +634,7 @@ needs_packages() {
 # Installs Python packages while cargo builds.
 install_packages_early() {
   case " $* " in
-    *" models "* | *" site "* | *" recordings "* | *" fleet "* | *" ros2 "*) needs_packages wide >/dev/null 2>&1 & ;;
+    *" eyes "* | *" models "* | *" site "* | *" recordings "* | *" fleet "* | *" ros2 "*) needs_packages wide >/dev/null 2>&1 & ;;
     *" api "* | *" python "*) needs_packages ci >/dev/null 2>&1 & ;;
     *) return ;;
   esac

@@ -14,6 +14,18 @@ const LIT = ["directive", "directive-helpers", "async-directive", "directives/cl
 
 const TOML = ["date", "error", "extract", "parse", "primitive", "stringify", "struct", "util"];
 
+const ARUCO = [
+  { from: "cv.js", to: "cv.js", needs: "", gives: "CV" },
+  { from: "aruco.js", to: "aruco.js", needs: "cv.js", gives: "AR" },
+  { from: "dictionaries/aruco_4x4_1000.js", to: "dictionary.js", needs: "aruco.js", gives: "AR" },
+].map(({ from, to, needs, gives }) => ({
+  from: `js-aruco2/src/${from}`,
+  to: `js-aruco2/${to}`,
+  start: `${needs && `import * as needed from "./${needs}";\n`}const scope = { ${needs && "...needed"} };\n(function () {\n`,
+  end: `\n}).call(scope);\nexport const ${gives} = scope.${gives};\n`,
+  types: `export const ${gives}: any;\n`,
+}));
+
 /** A row for each file: where it comes from, where it goes to, and its types, for those that the page imports. */
 const ROWS = [
   { from: "three/build/three.module.min.js", to: "three/three.js", types: 'export * from "three";\n' },
@@ -31,14 +43,17 @@ const ROWS = [
   { from: "smol-toml/LICENSE", to: "smol-toml/LICENSE" },
   { from: "uqr/dist/index.mjs", to: "uqr/uqr.js", types: 'export * from "uqr";\n' },
   { from: "uqr/LICENSE", to: "uqr/LICENSE" },
+  // Scripts for Node and for a page's variables, made modules.
+  ...ARUCO,
+  { from: "js-aruco2/LICENSE.txt", to: "js-aruco2/LICENSE" },
 ];
 
 /** What the folder has to hold: a text for each path. */
 async function made() {
   const files = new Map();
-  for (const { from, to, end = "", types } of ROWS) {
+  for (const { from, to, start = "", end = "", types } of ROWS) {
     const text = await readFile(new URL(from, PACKAGES), "utf8");
-    files.set(to, text.replace(/\n?\/\/# sourceMappingURL=.*\s*$/, "\n") + end);
+    files.set(to, start + text.replace(/\n?\/\/# sourceMappingURL=.*\s*$/, "\n") + end);
     if (types) files.set(to.replace(/\.js$/, ".d.ts"), types);
   }
   return files;

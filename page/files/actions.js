@@ -37,8 +37,9 @@ const isStillMoving = (problem) => problem?.type?.endsWith("/still-moving") ?? f
  * @param {import("./station/jobs.js").JobRequests} outside.jobs
  * @param {import("./station/teach.js").TeachRequests} outside.teach
  * @param {import("./station/buttons.js").ButtonRequests} outside.buttons
+ * @param {import("./station/look.js").LookRequests} outside.look
  */
-export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, jobs, teach, buttons }) {
+export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, jobs, teach, buttons, look }) {
   const { send } = store;
   /** Number of stops so far, by this page or another client. */
   let stops = 0;
@@ -165,7 +166,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
 
   return {
     setName,
-    send, ask, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs, teach, buttons,
+    send, ask, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs, teach, buttons, look,
 
     /** Asks for confirmation. @param {Question} question */
     question: (question) => send({ type: "question", question }),

@@ -2675,6 +2675,18 @@ export interface components {
             command: number;
         } | {
             /** @constant */
+            type: "sensed";
+            /** @description The client. */
+            client: components["schemas"]["ClientId"];
+            /** @description The sense. */
+            sense: components["schemas"]["Sense"];
+            /**
+             * Format: uint64
+             * @description The command number.
+             */
+            command: number;
+        } | {
+            /** @constant */
             type: "command_failed";
             /**
              * Format: uint64
@@ -2808,6 +2820,8 @@ export interface components {
             /** @constant */
             type: "trouble";
         });
+        /** @description Where a command comes from, if not from a person's own input. */
+        Sense: "camera";
         /**
          * @description The safety policy: what no client's command may do.
          *
@@ -3900,6 +3914,8 @@ export interface components {
         SheetPoints: {
             /** @description Their positions, forward and to the left of the base's axis, in mm. */
             points_mm: number[][];
+            /** @description The four corners of each of its markers 0 to 3, clockwise from the upper left one, in mm. */
+            markers_mm: number[][][];
         };
         /** @description A job to queue. */
         NewJob: {
@@ -4341,6 +4357,11 @@ export interface components {
             /** @description In `go`, `pick` and `place`: the name of a position that is given while the program runs. */
             from?: string | null;
             /**
+             * Format: uint16
+             * @description If `from` is `seen`: the marker that a camera looks for, 4 to 49.
+             */
+            marker?: number | null;
+            /**
              * Format: double
              * @description How long to wait for that position, in seconds; without it, until it is given.
              */
@@ -4354,6 +4375,11 @@ export interface components {
         ExternalPlace: {
             /** @description The name under which it is given, 1 to 40 characters. */
             from: string;
+            /**
+             * Format: uint16
+             * @description If `from` is `seen`: the marker that a camera looks for, 4 to 49. The name is then `marker 7`.
+             */
+            marker?: number | null;
             /**
              * Format: double
              * @description How long to wait for it, in seconds; without it, until it is given.
@@ -6393,6 +6419,13 @@ export interface components {
         Request: {
             /** @constant */
             type: "command";
+            /** @description The command. */
+            command: components["schemas"]["Command"];
+        } | {
+            /** @constant */
+            type: "sensed_command";
+            /** @description The sense. */
+            sense: components["schemas"]["Sense"];
             /** @description The command. */
             command: components["schemas"]["Command"];
         } | {

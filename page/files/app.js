@@ -10,6 +10,7 @@ import { createPads } from "./input/pads.js";
 import { draw as drawPanelOf } from "./panels/draw.js";
 import { jobs } from "./panels/jobs.js";
 import { floatingJog } from "./panels/jog.js";
+import { look } from "./panels/look.js";
 import { move } from "./panels/move.js";
 import { setUp } from "./panels/set_up.js";
 import { teach } from "./panels/teach.js";
@@ -29,6 +30,7 @@ import { createButtons } from "./station/buttons.js";
 import { createHttp, takeToken } from "./station/http.js";
 import { createJobs } from "./station/jobs.js";
 import { createLessons } from "./station/lessons.js";
+import { createLook } from "./station/look.js";
 import { followPackets } from "./station/packets.js";
 import { createRecordings } from "./station/recordings.js";
 import { createCalibrate } from "./station/calibrate.js";
@@ -60,7 +62,7 @@ const MOST_LATE = 2;
 /** Storage key of the program being taught. */
 const PROGRAM = "dobot.program";
 const KEPT = new Set(["language", "theme", "greeted"]);
-const PANELS = { move, draw: drawPanelOf, teach, jobs, watch, set_up: setUp };
+const PANELS = { move, draw: drawPanelOf, teach, look, jobs, watch, set_up: setUp };
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -71,7 +73,7 @@ const http = createHttp();
 const socket = createSocket({ store, http });
 const setUpRequests = createSetUp(store, http, socket);
 const jobRequests = createJobs(store, http, socket);
-const act = createActions({ store, socket, http, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), lessons: createLessons(store, http), jobs: jobRequests, teach: createTeach(store, http, jobRequests), buttons: createButtons(store, http, jobRequests) });
+const act = createActions({ store, socket, http, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), lessons: createLessons(store, http), jobs: jobRequests, teach: createTeach(store, http, jobRequests), buttons: createButtons(store, http, jobRequests), look: createLook(store, http, socket, jobRequests) });
 const jog = createJog(store, socket);
 const pads = createPads(store, socket);
 const stage = createStage(part("stage"));

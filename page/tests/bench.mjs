@@ -106,7 +106,7 @@ async function createFront() {
  * that a button is still held, as on a busy machine, lets go of it; with `patient` it has a second, which is longer than it has.
  * `personality` is the arm's personality and the station's dialect.
  */
-export async function open({ viewport = { width: 1130, height: 640 }, webgl = false, virtual = false, personality = "firmware-1.1", speed = 1, patient = true, options = {}, scripts = [] } = {}) {
+export async function open({ viewport = { width: 1130, height: 640 }, webgl = false, virtual = false, personality = "firmware-1.1", speed = 1, patient = true, options = {}, scripts = [], browserArgs = [] } = {}) {
   const folder = await mkdtemp(join(tmpdir(), "dobot-page-"));
   const arm = virtual ? null : await start(["arm", "--tcp", "127.0.0.1:0", "--personality", personality, "--time-factor", String(speed)], /^tcp:127\.0\.0\.1:(\d+)/);
   const traffic = new Traffic();
@@ -137,7 +137,7 @@ export async function open({ viewport = { width: 1130, height: 640 }, webgl = fa
     if (!answer.ok) throw new Error(await answer.text());
   }
   if (patient) await setDeadMan(1);
-  const browser = await launch();
+  const browser = await launch(undefined, browserArgs);
   const errors = [];
   /** One more visitor, whose page runs scripts of the test before its own. */
   async function visit(options, scripts = []) {

@@ -11,15 +11,16 @@ const ARGS = ["--no-sandbox", "--disable-background-networking", "--disable-feat
 /** However busy the machine is. */
 const PATIENCE_MS = Number(process.env.PATIENCE_MS ?? 120_000);
 
-function options(executablePath) {
+function options(executablePath, more = []) {
   if (!existsSync(executablePath)) throw new Error(`there is no Chromium at ${executablePath}: install it, on Debian with apt-get install chromium, or say where it is with CHROMIUM=PATH`);
-  return { executablePath, args: ARGS };
+  return { executablePath, args: [...ARGS, ...more] };
 }
 
 /** Starts the browser for all files. */
 export const serve = async () => chromium.launchServer(options(CHROMIUM));
 
-export const launch = async (executablePath = CHROMIUM) => (SHARED ? chromium.connect(SHARED) : chromium.launch(options(executablePath)));
+/** A browser; with arguments of its own, one that is not shared. @param {readonly string[]} [more] */
+export const launch = async (executablePath = CHROMIUM, more = []) => (SHARED && more.length === 0 ? chromium.connect(SHARED) : chromium.launch(options(executablePath, more)));
 
 /** Ends what a file has opened: its pages are gone before what they talk to is. */
 export async function leave(browser) {

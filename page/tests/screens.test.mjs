@@ -5,7 +5,7 @@ import { open } from "./bench.mjs";
 
 /** 1440 x 900 at 200 and 300 %, the size of WCAG 1.4.10, and phones. */
 const SIZES = { "200 %": [720, 450], "300 %": [480, 300], "320 x 256": [320, 256], "a phone in landscape": [844, 390], "a phone": [390, 844], "1280 x 720": [1280, 720] };
-const TABS = ["move", "draw", "teach", "jobs", "watch", "set_up"];
+const TABS = ["move", "draw", "teach", "look", "jobs", "watch", "set_up"];
 /** The least size of what is pressed: WCAG 2.5.8, and that of a finger. */
 const LEAST_PX = 24, FINGER_PX = 44;
 

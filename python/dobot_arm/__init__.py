@@ -29,14 +29,16 @@ if TYPE_CHECKING:
     from .simulation import Simulation, simulate
     from .table import Table
     from .testing import assert_ink, assert_object
+    from .vision import Eye, Place, calibrate_from_photo, draw_crosses
 
 __all__ = [
-    "Arm", "Ask", "AsyncArm", "AsyncJog", "Button", "Calibration", "Closed", "ControlState", "Error", "Failed",
-    "JobState", "Jog", "Joints", "Kind", "LaserState", "LinkLost", "LinkState", "Object", "Path", "Paused", "Plan",
-    "Point", "Pose", "Program", "ProgramProblem", "ProgramReport", "ProgramStep", "Progress", "Question",
-    "Recording", "Refused", "SHEET", "Served", "Simulation", "State", "Status", "Step", "StopState", "Stopped",
-    "Table", "Take", "Tool", "Touch", "World", "__version__", "aconnect", "assert_ink", "assert_object", "bar",
-    "calibrate", "connect", "formats", "kinds", "log", "plan", "program", "program_bar", "serve", "simulate",
+    "Arm", "Ask", "AsyncArm", "AsyncJog", "Button", "Calibration", "Closed", "ControlState", "Error", "Eye",
+    "Failed", "JobState", "Jog", "Joints", "Kind", "LaserState", "LinkLost", "LinkState", "Object", "Path",
+    "Paused", "Place", "Plan", "Point", "Pose", "Program", "ProgramProblem", "ProgramReport", "ProgramStep",
+    "Progress", "Question", "Recording", "Refused", "SHEET", "Served", "Simulation", "State", "Status", "Step",
+    "StopState", "Stopped", "Table", "Take", "Tool", "Touch", "World", "__version__", "aconnect", "assert_ink",
+    "assert_object", "bar", "calibrate", "calibrate_from_photo", "connect", "draw_crosses", "formats", "kinds",
+    "log", "plan", "program", "program_bar", "serve", "simulate",
 ]
 
 _LATER = {
@@ -54,6 +56,10 @@ _LATER = {
     "Simulation": "simulation",
     "simulate": "simulation",
     "Table": "table",
+    "Eye": "vision",
+    "Place": "vision",
+    "calibrate_from_photo": "vision",
+    "draw_crosses": "vision",
     "assert_ink": "testing",
     "assert_object": "testing",
 }

@@ -48,7 +48,8 @@ _While = TypedDict("_While", {"while": str}, total=False)
 class Point(_From, total=False):
     """``x``, ``y`` and ``z`` (mm), optionally with ``rotation`` (degrees) and ``frame``; or ``base``, ``rear``,
     ``fore`` and ``servo`` (degrees). In ``go``, ``pick`` and ``place`` also ``from``, the name of a position that
-    is given while the program runs, with ``timeout`` (seconds) and ``otherwise``.
+    is given while the program runs, with ``timeout`` (seconds) and ``otherwise``; ``from`` ``"seen"`` with
+    ``marker``, where a camera sees it.
     """
 
     x: float
@@ -60,6 +61,7 @@ class Point(_From, total=False):
     rear: float
     fore: float
     servo: float
+    marker: int
     timeout: float
     otherwise: Literal["pause", "skip"]
 

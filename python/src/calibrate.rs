@@ -114,6 +114,16 @@ pub(crate) fn sheet_points() -> Vec<(f64, f64)> {
     SHEET_POINTS.into_iter().map(<(f64, f64)>::from).collect()
 }
 
+/// Returns the four corners of each of the sheet's markers 0 to 3, clockwise from the upper left one,
+/// in mm.
+#[pyfunction]
+pub(crate) fn sheet_markers() -> Vec<Vec<(f64, f64)>> {
+    dobot_calibrate::sheet_markers()
+        .into_iter()
+        .map(|(_, corners)| corners.map(<(f64, f64)>::from).to_vec())
+        .collect()
+}
+
 fn touch((x_mm, y_mm, height_mm, base_deg, rear_deg, fore_deg): Touched) -> Touch {
     Touch {
         place_mm: [x_mm, y_mm],

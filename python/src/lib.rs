@@ -21,7 +21,7 @@ mod worker;
 use pyo3::prelude::*;
 
 use crate::arm::{Core, joints_warning, point_warning};
-use crate::calibrate::{Calibrated, sheet_points};
+use crate::calibrate::{Calibrated, sheet_markers, sheet_points};
 use crate::drawing::{Drawing, Lines, drawing_formats};
 use crate::failure::kinds;
 use crate::log::Log;
@@ -42,6 +42,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Simulated>()?;
     module.add_class::<Log>()?;
     module.add_class::<Calibrated>()?;
+    module.add_function(wrap_pyfunction!(sheet_markers, module)?)?;
     module.add_function(wrap_pyfunction!(sheet_points, module)?)?;
     module.add_class::<Served>()?;
     module.add_function(wrap_pyfunction!(kinds, module)?)?;

@@ -4,7 +4,7 @@ use dobot_wire::Dialect;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{ClientId, JobPhase, LinkCause};
+use crate::{ClientId, JobPhase, LinkCause, Sense};
 
 /// An event, for all observers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -44,6 +44,15 @@ pub enum News {
     },
     /// A command is done: the arm is at its end.
     CommandDone {
+        /// The command number.
+        command: u64,
+    },
+    /// A command was accepted that follows from what a sense has located.
+    Sensed {
+        /// The client.
+        client: ClientId,
+        /// The sense.
+        sense: Sense,
         /// The command number.
         command: u64,
     },

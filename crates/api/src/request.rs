@@ -15,6 +15,14 @@ pub enum Request {
         /// The command.
         command: Command,
     },
+    /// Send a move to where a camera or another sense has located something, marked as such in log,
+    /// recording and notices. Only `move_to`: a sense never lights the laser.
+    SensedCommand {
+        /// The sense.
+        sense: Sense,
+        /// The command.
+        command: Command,
+    },
     /// Preview the path a command would take if it were sent now, or return why it would be
     /// refused. Nothing is sent and no notice is published. No lease is needed.
     CheckCommand {
@@ -249,6 +257,7 @@ impl Request {
             | Self::Unlock
             | Self::SetSlots { .. } => Role::Admin,
             Self::Command { .. }
+            | Self::SensedCommand { .. }
             | Self::Jog { .. }
             | Self::Release
             | Self::Step { .. }
@@ -275,6 +284,14 @@ impl Request {
             | Self::ForgetJob { .. } => Role::Control,
         }
     }
+}
+
+/// Where a command comes from, if not from a person's own input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Sense {
+    /// A camera.
+    Camera,
 }
 
 /// A jog button.

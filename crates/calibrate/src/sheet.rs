@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use thiserror::Error;
 
+use crate::Marker;
+
 /// The points of the sheet, forward and to the left of the base's axis, in mm, in the order of the
 /// touches.
 pub const SHEET_POINTS: [[f64; 2]; 9] = [
@@ -100,12 +102,21 @@ impl Sheet {
                 right - 6.0,
                 down - 6.0,
             );
+            // Away from the markers at the corners.
+            let (side, anchor) = if y_mm < 0.0 {
+                (-4.0, "end")
+            } else {
+                (4.0, "start")
+            };
             let _ = write!(
                 svg,
-                r#"<text x="{}" y="{}" fill="black" stroke="none">{number}: {x_mm}, {y_mm}</text>"#,
-                right + 4.0,
+                r#"<text x="{}" y="{}" fill="black" stroke="none" text-anchor="{anchor}">{number}: {x_mm}, {y_mm}</text>"#,
+                right + side,
                 down - 4.0,
             );
+        }
+        for (marker, corners) in sheet_markers() {
+            svg += &marker.svg_path(on_sheet(corners[0]), MARKER_MM);
         }
         let bar_mm = self.bar_mm();
         let _ = write!(
@@ -124,6 +135,23 @@ impl Sheet {
         );
         svg
     }
+}
+
+/// Returns the markers 0 to 3 at the corners of the sheet, clockwise from the far left one, each with
+/// its own four corners: forward and to the left of the base's axis, in mm, clockwise from the upper
+/// left one of the marker.
+#[must_use]
+pub fn sheet_markers() -> [(Marker, [[f64; 2]; 4]); 4] {
+    let [right, down] = [WIDE_MM, HIGH_MM].map(|edge| edge - MARKER_EDGE_MM - MARKER_MM);
+    let near = MARKER_EDGE_MM;
+    let places = [[near, near], [right, near], [right, down], [near, down]];
+    [0, 1, 2, 3].map(|index| {
+        let [left, top] = places[usize::from(index)];
+        let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
+            .map(|[x, y]| in_frame([left + x * MARKER_MM, top + y * MARKER_MM]));
+        let marker = Marker::numbered(index).expect("there are fifty");
+        (marker, corners)
+    })
 }
 
 /// Checks the number of a sheet and the measured length of its bar, which a calibration needs.
@@ -182,10 +210,18 @@ pub(crate) fn on_sheet([x_mm, y_mm]: [f64; 2]) -> [f64; 2] {
     [WIDE_MM / 2.0 - y_mm, HIGH_MM + NEAR_EDGE_MM - x_mm]
 }
 
+/// The reverse of [`on_sheet`].
+fn in_frame([right, down]: [f64; 2]) -> [f64; 2] {
+    [HIGH_MM + NEAR_EDGE_MM - down, WIDE_MM / 2.0 - right]
+}
+
 pub(crate) const WIDE_MM: f64 = 297.0;
 pub(crate) const HIGH_MM: f64 = 210.0;
 /// The distance from the base's axis to the near edge.
 const NEAR_EDGE_MM: f64 = 95.0;
+const MARKER_MM: f64 = 28.0;
+/// The distance of a marker from the edges: printers leave up to 5 mm white.
+const MARKER_EDGE_MM: f64 = 6.0;
 const FIRST: u16 = 100;
 const LAST: u16 = 999;
 const MIN_BAR_MM: f64 = 155.0;
@@ -208,6 +244,24 @@ mod tests {
             );
             assert!((10.0..=HIGH_MM - 30.0).contains(&down), "{point:?}: {down}");
         }
+    }
+
+    #[test]
+    fn the_markers_leave_the_points_free_and_surround_them() {
+        for (marker, corners) in sheet_markers() {
+            let on = corners.map(on_sheet);
+            for [right, down] in on {
+                assert!(
+                    (5.0..=WIDE_MM - 5.0).contains(&right) && (5.0..=HIGH_MM - 5.0).contains(&down)
+                );
+            }
+            for point in SHEET_POINTS.map(on_sheet) {
+                let apart = on.map(|corner| (corner[0] - point[0]).hypot(corner[1] - point[1]));
+                assert!(apart.iter().all(|mm| *mm > 10.0), "{marker:?} at {point:?}");
+            }
+        }
+        let farthest_left = sheet_markers()[0].1[0];
+        assert!((farthest_left[0] - 299.0).abs() < 1e-9 && (farthest_left[1] - 142.5).abs() < 1e-9);
     }
 
     /// The length of the bar as drawn.

@@ -18,6 +18,7 @@ mod jog;
 mod lease;
 mod log;
 mod man;
+mod markers;
 mod materials;
 mod mcp;
 mod model;
@@ -58,6 +59,7 @@ pub(crate) enum Verb {
     Check(check::Args),
     Convert(convert::Args),
     Materials(materials::Args),
+    Markers(markers::Args),
     Model(model::Args),
     Arm(arm::Args),
     Status(status::Args),
@@ -116,6 +118,7 @@ impl Verb {
             Self::Check(args) => wait_for(check::run(args)),
             Self::Convert(args) => convert::run(&args),
             Self::Materials(args) => materials::run(&args),
+            Self::Markers(args) => markers::run(&args),
             Self::Model(args) => model::run(&args),
             Self::Arm(args) => wait_for(arm::run(args)),
             Self::Status(args) => wait_for(status::run(args)),

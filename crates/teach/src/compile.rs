@@ -546,7 +546,7 @@ fn label(action: &Action) -> String {
         Place::At(crate::Point::Joints([base, rear, fore, _])) => {
             format!("base {base} rear {rear} fore {fore}")
         }
-        Place::External(place) => format!("{:?}", place.from),
+        Place::External(place) => format!("{:?}", place.name()),
     };
     match action {
         Action::Go(go) => format!("go to {}", name(&go.to)),

@@ -428,6 +428,9 @@ impl TransferKeys {
 pub struct ExternalPlace {
     /// The name under which it is given, 1 to 40 characters.
     pub from: String,
+    /// If `from` is `seen`: the marker that a camera looks for, 4 to 49. The name is then `marker 7`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub marker: Option<u16>,
     /// How long to wait for it, in seconds; without it, until it is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub timeout: Option<f64>,
@@ -455,9 +458,28 @@ impl ExternalPlace {
     /// What was found and what is allowed, in one line.
     pub(crate) fn new(
         from: String,
+        marker: Option<u16>,
         timeout: Option<f64>,
         otherwise: Option<AfterTimeout>,
     ) -> Result<Self, String> {
+        match (from == SEEN, marker) {
+            (true, None) => {
+                return Err("from is \"seen\"; add the marker that is looked for: { from = \"seen\", marker = 7 }".into());
+            }
+            (false, Some(_)) => {
+                return Err(format!(
+                    "a position has a marker, and from is {from:?}; allowed is \"seen\""
+                ));
+            }
+            (true, Some(marker)) if !MARKERS.contains(&marker) => {
+                return Err(format!(
+                    "marker is {marker}; allowed are {} to {}: `dobot markers` prints them",
+                    MARKERS.start(),
+                    MARKERS.end()
+                ));
+            }
+            _ => {}
+        }
         let count = from.chars().count();
         if !(1..=MAX_ANSWER_LEN).contains(&count) || from.contains(['/', '?', '#']) {
             return Err(format!(
@@ -467,9 +489,17 @@ impl ExternalPlace {
         check_timeout(timeout, otherwise.is_some())?;
         Ok(Self {
             from,
+            marker,
             timeout,
             otherwise: otherwise.unwrap_or_default(),
         })
+    }
+
+    /// Returns the name under which it is asked for and given.
+    #[must_use]
+    pub fn name(&self) -> String {
+        self.marker
+            .map_or_else(|| self.from.clone(), |marker| format!("marker {marker}"))
     }
 }
 
@@ -488,6 +518,10 @@ pub(crate) fn is_variable(name: &str) -> bool {
         && name.len() <= MAX_ANSWER_LEN
 }
 
+/// What `from` says for a position that a camera gives.
+const SEEN: &str = "seen";
+/// The markers for objects.
+const MARKERS: std::ops::RangeInclusive<u16> = 4..=49;
 /// The default height above a place, in mm.
 const APPROACH_MM: f64 = 20.0;
 const MAX_APPROACH_MM: f64 = 300.0;

@@ -135,6 +135,9 @@ pub(crate) struct PointTable {
     /// In `go`, `pick` and `place`: the name of a position that is given while the program runs.
     #[serde(skip_serializing_if = "Option::is_none")]
     from: Option<String>,
+    /// If `from` is `seen`: the marker that a camera looks for, 4 to 49.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    marker: Option<u16>,
     /// How long to wait for that position, in seconds; without it, until it is given.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
     timeout: Option<f64>,
@@ -169,6 +172,7 @@ impl PointTable {
                 fore: None,
                 servo: None,
                 from: None,
+                marker: None,
                 timeout: None,
                 otherwise: None,
             } => Ok(Place::At(Point::Cartesian {
@@ -187,6 +191,7 @@ impl PointTable {
                 rotation: None,
                 frame: None,
                 from: None,
+                marker: None,
                 timeout: None,
                 otherwise: None,
             } => Ok(Place::At(Point::Joints([
@@ -197,6 +202,7 @@ impl PointTable {
             ]))),
             Self {
                 from: Some(from),
+                marker,
                 timeout,
                 otherwise,
                 x: None,
@@ -208,7 +214,7 @@ impl PointTable {
                 rear: None,
                 fore: None,
                 servo: None,
-            } => ExternalPlace::new(from, timeout, otherwise).map(Place::External),
+            } => ExternalPlace::new(from, marker, timeout, otherwise).map(Place::External),
             _ => Err(format!(
                 "a point has {found}; it needs x, y and z (and may have rotation and frame), or base, rear and fore (and may have servo), or from (and may have timeout and otherwise)"
             )),
@@ -228,6 +234,7 @@ impl PointTable {
             ("fore", self.fore.is_some()),
             ("servo", self.servo.is_some()),
             ("from", self.from.is_some()),
+            ("marker", self.marker.is_some()),
             ("timeout", self.timeout.is_some()),
             ("otherwise", self.otherwise.is_some()),
         ];

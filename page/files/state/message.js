@@ -40,6 +40,7 @@
  * | import("./calibrate.js").CalibrateMessage
  * | import("./jog.js").JogMessage
  * | import("./jobs.js").JobsMessage
+ * | import("./look.js").LookMessage
  * | import("./recordings.js").RecordingsMessage
  * | import("./packets.js").PacketsMessage
  * | import("./draw.js").DrawMessage

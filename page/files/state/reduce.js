@@ -7,6 +7,7 @@ import { reduceHistory } from "./history.js";
 import { reduceJobs } from "./jobs.js";
 import { reduceJog } from "./jog.js";
 import { reduceLearn } from "./learn.js";
+import { reduceLook } from "./look.js";
 import { reducePackets } from "./packets.js";
 import { reduceRecordings } from "./recordings.js";
 import { reduceSetUp } from "./set_up.js";
@@ -33,11 +34,12 @@ export function reduce(page, message) {
   const teach = reduceTeach(next.teach, message);
   const touch_paper = reduceTouchPaper(next.touch_paper, message);
   const jobs = reduceJobs(next.jobs, message);
+  const look = reduceLook(next.look, message);
   const recordings = reduceRecordings(next.recordings, message);
   const packets = reducePackets(next.packets, message);
   const history = reduceHistory(next.history, message);
-  const isSame = jog === next.jog && target === next.target && buttons === next.buttons && calibrate === next.calibrate && draw === next.draw && learn === next.learn && set_up === next.set_up && teach === next.teach && touch_paper === next.touch_paper && jobs === next.jobs && recordings === next.recordings && packets === next.packets && history === next.history;
-  return isSame ? next : { ...next, jog, target, buttons, calibrate, draw, learn, set_up, teach, touch_paper, jobs, recordings, packets, history };
+  const isSame = jog === next.jog && target === next.target && buttons === next.buttons && calibrate === next.calibrate && draw === next.draw && learn === next.learn && set_up === next.set_up && teach === next.teach && touch_paper === next.touch_paper && jobs === next.jobs && look === next.look && recordings === next.recordings && packets === next.packets && history === next.history;
+  return isSame ? next : { ...next, jog, target, buttons, calibrate, draw, learn, set_up, teach, touch_paper, jobs, look, recordings, packets, history };
 }
 
 /** @param {Page} page @param {Message} message @returns {Page} */

@@ -4,6 +4,7 @@ import { linesOf } from "../preview/appearance.js";
 import { EMPTY } from "../stage/view.js";
 import { recorded } from "./recordings.js";
 import { isSamePerson, timeNow } from "./slots.js";
+import { thingsOf } from "./look.js";
 import { placeOf } from "./target.js";
 import { placeOfStep, rowAt, rowsOf } from "./teach.js";
 
@@ -15,6 +16,8 @@ import { placeOfStep, rowAt, rowsOf } from "./teach.js";
 const OLD_MS = 500;
 /** Age at which a banner reports it. */
 const VERY_OLD_MS = 2000;
+/** The side of an object that a camera sees: that of a usual marker with its white. */
+const SEEN_MM = 25;
 
 /** Why the arm cannot be moved by hand now: the end of a text key. @typedef {"no_connection" | "no_arm" | "locked" | "others_time" | "stopped" | "not_confirmed" | "job_starts" | "job_runs" | "others_control" | "watching_only" | "queueing_only"} BlockedReason */
 
@@ -134,6 +137,11 @@ export const ghostPlace = (page) => taughtPlace(page) ?? placeOf(page.target);
 /** The policy to show: the draft while it is edited. @param {Page} page */
 export const shownPolicy = ({ tab, set_up, policy }) => (tab === "set_up" && set_up.drafted) || policy;
 
+/** What the camera sees as objects on the table. @param {Page["look"]} look @param {number} table_z_mm @returns {View["things"]} */
+const seenThings = (look, table_z_mm) => thingsOf(look).map(({ name, x_mm, y_mm, turn_deg, height_mm }) => ({
+  name: `seen: ${name}`, shape: { type: "box", size_mm: [SEEN_MM, SEEN_MM, Math.max(height_mm ?? 0, 1)] }, color: "#ff9f1a", at_mm: [x_mm, y_mm], turn_deg, bottom_mm: table_z_mm,
+}));
+
 /** Makes views for the stage; the same object for what did not change. */
 export function createViewOf() {
   const rules = memoize(ruled);
@@ -145,6 +153,7 @@ export function createViewOf() {
     const place = placeOf(target);
     return place && { ...place, refused: target.refused };
   });
+  const seenOf = memoize(seenThings);
   const taughtOf = memoize((/** @type {import("../stage/view.js").Pose} */ place, /** @type {boolean} */ refused) => ({ ...place, refused }));
   const planeOf = memoize((/** @type {Page["draw"]["paper"]} */ plane, /** @type {readonly import("../stage/view.js").Point[]} */ touches) => (plane || touches.length ? { z_mm: plane?.z_mm ?? NaN, slope_x: plane?.slope_x ?? 0, slope_y: plane?.slope_y ?? 0, touches } : null));
   const drawingOf = memoize((/** @type {NonNullable<Page["draw"]["timeline"]>} */ { timeline }) => linesOf(timeline));
@@ -156,11 +165,13 @@ export function createViewOf() {
     // A recorded arm is grey, without any live values next to it.
     if (arm) return { ...common, arm: common.shape && arm, old: true };
     const taught = taughtPlace(page);
+    const seen = seenOf(page.look, around.table_z_mm);
     const { places, found } = page.touch_paper;
     const plane = found?.paper ?? null;
     return {
       ...common,
       plane: page.tab === "set_up" && places ? planeOf(plane, places) : page.tab === "set_up" || page.tab === "draw" ? planeOf(page.draw.paper, NONE) : null,
+      things: seen.length ? [...around.things, ...seen] : around.things,
       planned: page.planned,
       drawing: page.tab === "draw" && page.draw.timeline ? drawingOf(page.draw.timeline) : null,
       arm: common.shape && reported(page.station),

@@ -7,6 +7,7 @@ import { NO_HISTORY } from "./history.js";
 import { NO_JOBS } from "./jobs.js";
 import { NO_JOG } from "./jog.js";
 import { NO_LEARN } from "./learn.js";
+import { NO_LOOK } from "./look.js";
 import { NO_PACKETS } from "./packets.js";
 import { NO_RECORDINGS } from "./recordings.js";
 import { NO_SET_UP } from "./set_up.js";
@@ -25,7 +26,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
 /** @typedef {import("../i18n/i18n.js").Language} Language */
 
 /** @typedef {"connecting" | "open" | "closed" | "token"} Connection `token`: the station wants one. */
-/** @typedef {"move" | "draw" | "teach" | "jobs" | "watch" | "set_up"} Tab */
+/** @typedef {"move" | "draw" | "teach" | "look" | "jobs" | "watch" | "set_up"} Tab */
 /** @typedef {"auto" | "light" | "dark"} Theme */
 /** A question that asks for confirmation. @typedef {{ about: "confirm_pose" | "reset_stop" | "arm_laser" | "detect" | "clear_calibration" | "send_angles" | "remove_token", values?: Record<string, string | number> }} Question */
 /** The scene around a virtual arm. @typedef {Pick<View, "tool" | "table_z_mm" | "paper" | "things" | "marks">} Around */
@@ -67,6 +68,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {import("./buttons.js").Buttons} buttons
  * @property {import("./draw.js").Draw} draw
  * @property {import("./learn.js").Learn} learn
+ * @property {import("./look.js").Look} look
  * @property {import("./jobs.js").Jobs} jobs
  * @property {import("./recordings.js").Recordings} recordings
  * @property {import("./packets.js").Packets} packets
@@ -115,6 +117,7 @@ export const begin = ({ language, theme, greeted, program, name = null }) => ({
   buttons: NO_BUTTONS,
   draw: NO_DRAW,
   learn: NO_LEARN,
+  look: NO_LOOK,
   jobs: NO_JOBS,
   recordings: NO_RECORDINGS,
   packets: NO_PACKETS,

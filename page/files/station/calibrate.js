@@ -39,7 +39,7 @@ export function createCalibrate(store, http, change) {
 
   store.subscribe(({ tab, calibrate, touch_paper: { places } }, message) => {
     const news = message.type === "hello" || message.type === "tab" || (message.type === "notice" && message.notice.type === "calibrated");
-    if (news && (tab === "set_up" || tab === "draw")) void read();
+    if (news && (tab === "set_up" || tab === "draw" || tab === "look")) void read();
     if (places !== touched) {
       touched = places;
       if (places && places.length >= PLACES) void judge(places);

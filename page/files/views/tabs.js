@@ -5,7 +5,7 @@ import { html } from "../vendor/lit-html/lit-html.js";
 /** @typedef {import("./context.js").Context} Context */
 
 /** @type {readonly import("../state/state.js").Tab[]} */
-export const TABS = ["move", "draw", "teach", "jobs", "watch", "set_up"];
+export const TABS = ["move", "draw", "teach", "look", "jobs", "watch", "set_up"];
 const WAYS = /** @type {Record<string, number>} */ ({ ArrowRight: 1, ArrowLeft: -1 });
 
 /** @param {Context} context */

@@ -312,6 +312,39 @@ impl Arm {
     }
 }
 
+/// A position on the paper and the angles that the arm reported there, in degrees.
+pub(crate) type Cross = ([f64; 2], [f64; 3]);
+/// A position by the drawing of the arm and the true one on the paper.
+pub(crate) type Check = ([f64; 3], [f64; 2]);
+
+/// Returns the 25 crosses that a random arm drew up to 10 mm beside where they were wanted, and the
+/// positions at which to compare its calibration.
+#[allow(dead_code, reason = "an example uses it")]
+pub(crate) fn crosses(seed: u64) -> (Vec<Cross>, Vec<Check>) {
+    let mut random = Random::sequence(43, seed);
+    let arm = Arm::random(&NINE, &mut random);
+    let wanted = (0..25).map(|n| {
+        let [row, column] = [n / 5, n % 5].map(f64::from);
+        [140.0 + 30.0 * row, -90.0 + 45.0 * column]
+    });
+    let [off_x, off_y] = [0; 2].map(|_| 14.0 * random.share() - 7.0);
+    let draw = |[x, y]: [f64; 2]| {
+        // The pen follows the touched paper as well as a touch does.
+        let z = arm.paper.z0_mm + TOUCH_MM * normal(&mut random);
+        let raw = arm.raw_at([x + off_x, y + off_y, z], [0.0; 3]);
+        let [x, y, _] = arm.place(&raw, [0.0; 3]);
+        let at = [x, y].map(|mm| mm + PEN_MM * normal(&mut random));
+        (at, [raw.base, raw.rear, raw.fore].map(|angle| angle.0))
+    };
+    let crosses = wanted.map(draw).collect();
+    let check = |place: [f64; 2]| {
+        let raw = arm.raw_at([place[0], place[1], arm.paper.z0_mm], [0.0; 3]);
+        let at = Calibration::NONE.true_place_of(&raw, TOOL);
+        ([at.x.0, at.y.0, at.z.0], place)
+    };
+    (crosses, grid().map(check).collect())
+}
+
 /// Returns the share of its backlash by which each joint is displaced: all of it if it came from
 /// the other side.
 fn sides(case: &Case, random: &mut Random) -> [f64; 3] {
@@ -361,6 +394,8 @@ fn of_hundred(values: &mut [f64], share: usize) -> f64 {
 
 const BASE_TILT_DEG: f64 = 1.0;
 const TOUCH_MM: f64 = 0.3;
+/// How far a pen draws beside its holder's position.
+const PEN_MM: f64 = 0.1;
 /// How exactly a person measures the tool.
 const RULER_MM: f64 = 8.0;
 const TOOL: Tool = Tool::SuctionCup;

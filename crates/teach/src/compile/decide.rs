@@ -307,9 +307,7 @@ fn decides(steps: &Steps) -> bool {
 
 fn where_is(place: &ExternalPlace) -> PendingQuestion {
     PendingQuestion {
-        question: Question::Place {
-            name: place.from.clone(),
-        },
+        question: Question::Place { name: place.name() },
         timeout_s: place.timeout,
         otherwise: (place.otherwise == AfterTimeout::Skip).then_some(Answer::Skip),
     }

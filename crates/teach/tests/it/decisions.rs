@@ -323,3 +323,38 @@ fn common_mistakes_are_shown_with_the_correct_line() {
         assert!(found.starts_with(expected), "{found}");
     }
 }
+
+#[test]
+fn a_marker_that_is_seen_is_asked_for_by_its_number() {
+    let text = "[[steps]]\ngo = { from = \"seen\", marker = 7, timeout = 2 }\n";
+    let program = Program::from_toml(text).unwrap();
+    let path = compiled(text, &[]);
+    let asked = path.question.unwrap();
+    assert_eq!(
+        asked.question,
+        Question::Place {
+            name: "marker 7".into()
+        }
+    );
+    assert_eq!(asked.timeout_s, Some(2.0));
+    assert_eq!(Program::from_toml(&program.to_toml()).unwrap(), program);
+}
+
+#[test]
+fn a_position_that_is_seen_needs_a_marker_for_objects() {
+    for (place, expected) in [
+        ("{ from = \"seen\" }", "add the marker that is looked for"),
+        (
+            "{ from = \"cube\", marker = 7 }",
+            "from is \"cube\"; allowed is \"seen\"",
+        ),
+        (
+            "{ from = \"seen\", marker = 3 }",
+            "marker is 3; allowed are 4 to 49",
+        ),
+        ("{ x = 200, y = 0, z = 0, marker = 7 }", "a point has"),
+    ] {
+        let error = Program::from_toml(&format!("[[steps]]\ngo = {place}\n")).unwrap_err();
+        assert!(error.to_string().contains(expected), "{place}: {error}");
+    }
+}

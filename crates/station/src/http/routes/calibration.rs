@@ -14,7 +14,7 @@ use dobot_api::{Backlash, CalibrationFile, Calibrations, PaperPlane, Reply, Requ
 use dobot_arm::{Joints, Tool};
 use dobot_calibrate::{
     Advice, Fit, SHEET_POINTS, Sheet, Touch, Trust, Unsure, check_bar, fit, found, paper,
-    residuals_svg,
+    residuals_svg, sheet_markers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -234,6 +234,8 @@ struct FitReport {
 struct SheetPoints {
     /// Their positions, forward and to the left of the base's axis, in mm.
     points_mm: [[f64; 2]; SHEET_POINTS.len()],
+    /// The four corners of each of its markers 0 to 3, clockwise from the upper left one, in mm.
+    markers_mm: [[[f64; 2]; 4]; 4],
 }
 
 async fn known(State(app): State<Arc<App>>) -> Json<Calibrations> {
@@ -243,6 +245,7 @@ async fn known(State(app): State<Arc<App>>) -> Json<Calibrations> {
 async fn points() -> Json<SheetPoints> {
     Json(SheetPoints {
         points_mm: SHEET_POINTS,
+        markers_mm: sheet_markers().map(|(_, corners)| corners),
     })
 }
 

@@ -1,0 +1,48 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { NO_LOOK, askedThing, lookBlockedReason, reduceLook, thingsOf } from "./look.js";
+import { homography } from "../vision/geometry.js";
+
+/** A camera straight above, 400 mm high: a pixel is a millimetre. */
+const view = () => {
+  const size = /** @type {const} */ ([640, 480]);
+  const corners = [[0, 0], [1, 0], [1, 1], [0, 1]];
+  const toPixels = homography(corners.map((at) => [at, [-at[1] * (100 / 640), -at[0] * (100 / 640)]]));
+  const toSheet = homography(corners.map((at) => [[-at[1] * (100 / 640), -at[0] * (100 / 640)], at]));
+  return { size, lens: 0, toPixels, toSheet, camera_mm: [200, 0, 400], typical_mm: 0.1, markers: 4 };
+};
+const marker = (id) => ({ id, corners: [[230, 250], [250, 250], [250, 270], [230, 270]] });
+const seen = (troubles = []) => ({ view: view(), markers: [marker(2), marker(7)], blob: null, troubles });
+const looks = (seen, heights = {}) => ({ ...NO_LOOK, camera: "on", seen, heights });
+
+test("objects are the markers that are not the sheet's, at their heights", () => {
+  const [flat] = thingsOf(looks(seen()));
+  assert.equal(flat.name, "marker 7");
+  assert.equal(flat.height_mm, null);
+  assert.ok(Math.abs(flat.x_mm - 180) < 0.01 && Math.abs(flat.y_mm - 80) < 0.01 && Math.abs(flat.turn_deg) < 0.01);
+  // 40 mm nearer to a camera 400 mm away, it is a tenth closer to below the camera.
+  const [high] = thingsOf(looks(seen(), { "marker 7": 40 }));
+  assert.ok(Math.abs(high.x_mm - 182) < 0.01 && Math.abs(high.y_mm - 72) < 0.01);
+});
+
+test("a moved sheet, hidden corners and blur prevent that anything moves; glare and a moved camera do not", () => {
+  const page = (troubles) => ({ look: looks(seen(troubles)), connection: "closed", station: null, draw: { paper: null }, around: null });
+  for (const trouble of ["sheet_moved", "few_corners", "blurred"]) assert.equal(lookBlockedReason(page([trouble])), `look.${trouble}`);
+  for (const troubles of [[], ["glare"], ["camera_moved"]]) assert.equal(lookBlockedReason(page(troubles)), "blocked.no_connection");
+});
+
+test("a program is answered only about the marker that it asks for, once its height is known", () => {
+  const asks = (name) => ({ job: { question: { asks: "place", name } } });
+  assert.equal(askedThing({ look: looks(seen()), station: asks("marker 7") }), null);
+  const look = looks(seen(), { "marker 7": 10 });
+  assert.equal(askedThing({ look, station: asks("marker 7") })?.marker, 7);
+  assert.equal(askedThing({ look, station: asks("marker 8") }), null);
+  assert.equal(askedThing({ look: looks(seen(["sheet_moved"]), { "marker 7": 10 }), station: asks("marker 7") }), null);
+});
+
+test("a picture that comes after the camera was switched off is ignored, and programs are no longer answered", () => {
+  const off = reduceLook({ ...NO_LOOK, camera: "on", answers: true }, { type: "look_camera", camera: "off" });
+  assert.equal(off.answers, false);
+  assert.equal(reduceLook(off, { type: "look_seen", seen: seen(), rate: 10 }).seen, null);
+});
