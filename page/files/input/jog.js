@@ -8,7 +8,7 @@
 /** @typedef {ReturnType<typeof createJog>} JogInput */
 
 import { blockedReason } from "../state/selectors.js";
-import { REPEAT_MS } from "../station/keep_alive.js";
+import { BUSY_MS, REPEAT_MS } from "../station/keep_alive.js";
 
 /** The longest time in which the arm comes to rest, by the station's clock. */
 const RUN_DOWN_S = 0.5;
@@ -42,7 +42,7 @@ export function createJog(store, socket) {
 
     async function press() {
       const jog = /** @type {Schemas["Jog"]} */ ({ frame, axis, speed_percent: mine.speed_percent() });
-      const { problem } = await socket.ask({ type: "jog", jog }, number);
+      const { problem } = await socket.ask({ type: "jog", jog }, { number, busy_ms: Math.max(BUSY_MS, 1000 * (store.page.policy?.jog.dead_man_s ?? 0)) });
       // A refusal ends the press: it is shown next to the button, and a new press is needed.
       if (!problem || held !== mine) return;
       release();

@@ -114,7 +114,7 @@ export function createSocket({ store, http }) {
     if (store.page.station && !store.page.station.lease) void ask({ type: "take_lease" });
   }
 
-  /** Sends a request; it always gets an answer. @param {Request} request @param {number | null} [hold] the number of the hold of a button that it repeats @returns {Promise<Answer>} */
+  /** Sends a request; it always gets an answer. @param {Request} request @param {import("./keep_alive.js").Hold | null} [hold] the hold of a button that it repeats @returns {Promise<Answer>} */
   function ask(request, hold = null) {
     if (!socket || !isOpen()) return Promise.resolve(NO_CONNECTION);
     if (NEED_CONTROL.has(request.type)) takeControlIfFree();

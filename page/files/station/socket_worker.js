@@ -2,7 +2,7 @@
 
 import { REPEAT_MS, createKeepAlive } from "./keep_alive.js";
 
-/** @typedef {{ number: number, open: { url: string, protocols: string[] } } | { number: number, close: true } | { number: number, text: string, id: number, hold: number | null, ends: boolean }} ToWorker */
+/** @typedef {{ number: number, open: { url: string, protocols: string[] } } | { number: number, close: true } | { number: number, text: string, id: number, hold: import("./keep_alive.js").Hold | null, ends: boolean }} ToWorker */
 /** @typedef {{ number: number, type: "open" } | { number: number, type: "message", data: string } | { number: number, type: "close", code: number, reason: string } | { number: number, type: "released", id: number }} FromWorker */
 
 /** @type {WebSocket | undefined} */ let socket;

@@ -5,7 +5,7 @@
 /**
  * @typedef {object} Connection
  * @property {() => boolean} isOpen
- * @property {(text: string, id: number, hold: number | null, ends: boolean) => void} send
+ * @property {(text: string, id: number, hold: import("./keep_alive.js").Hold | null, ends: boolean) => void} send
  * @property {() => void} close
  */
 
