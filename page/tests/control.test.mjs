@@ -102,11 +102,12 @@ test("a job that cannot be started is removed", async () => {
   await page.waitForSelector("#teach-once:enabled");
   // Stopped by another client, between what the page knows and what it asks for.
   await page.evaluate(() => {
-    const { send } = WebSocket.prototype;
-    WebSocket.prototype.send = function (text) {
-      if (!text.includes("start_job")) return send.call(this, text);
-      WebSocket.prototype.send = send;
-      void fetch("api/v1/stop", { method: "POST" }).then(() => send.call(this, text));
+    // The thread of the connection gets what the page sends.
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (message) {
+      if (!message.text?.includes("start_job")) return postMessage.call(this, message);
+      Worker.prototype.postMessage = postMessage;
+      void fetch("api/v1/stop", { method: "POST" }).then(() => postMessage.call(this, message));
     };
   });
   await page.click("#teach-once");

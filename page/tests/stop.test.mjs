@@ -69,10 +69,10 @@ for (const [name, other] of Object.entries(PRESSES)) {
 test("a press and its release stop once, and so does a key on the button", async () => {
   await page.evaluate(() => {
     window.stops = 0;
-    const send = WebSocket.prototype.send;
-    WebSocket.prototype.send = function (text) {
-      if (JSON.parse(text).request?.type === "stop") window.stops += 1;
-      return send.call(this, text);
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (message) {
+      if (message.text && JSON.parse(message.text).request.type === "stop") window.stops += 1;
+      return postMessage.call(this, message);
     };
   });
   const sent = () => page.evaluate(() => window.stops);

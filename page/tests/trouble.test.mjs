@@ -123,9 +123,15 @@ test("an unanswered STOP is shown in red beside it and sent again, and its answe
 
 test("a page that receives nothing for 2 s reconnects, while its connection is still open", async () => {
   await page.waitForSelector("#link-chip[data-tone=good]");
-  const opened = page.waitForEvent("websocket");
+  await page.evaluate(() => {
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (message) {
+      if (message.open) window.opened = true;
+      return postMessage.call(this, message);
+    };
+  });
   bench.cut();
-  await opened;
+  await page.waitForFunction(() => window.opened);
   await page.waitForSelector("#link-chip[data-tone=off]");
   assert.equal(await page.textContent("#link-chip"), "not connected to station");
   bench.mend();
@@ -141,6 +147,8 @@ test("a page that lost its station shows the age of its picture", async () => {
 
 test("a condition that blocks the arm has its button beside it", async () => {
   const other = await bench.visit({ viewport: { width: 1130, height: 640 } });
+  // It may be reconnecting since the last test.
+  await page.waitForSelector("#link-chip[data-tone=good]");
   await page.waitForSelector("#take, #release");
   if (await page.isVisible("#take")) await page.click("#take");
   await other.click("#jog-why [data-remedy=others_control]");

@@ -8,8 +8,8 @@
 /** @typedef {ReturnType<typeof createJog>} JogInput */
 
 import { blockedReason } from "../state/selectors.js";
+import { BUSY_MS, REPEAT_MS } from "../station/keep_alive.js";
 
-const JOG_MS = 50;
 /** The longest time in which the arm comes to rest, by the station's clock. */
 const RUN_DOWN_S = 0.5;
 
@@ -22,7 +22,7 @@ const LOST_PRESS = { type: "lost-press", title: "nothing moved", detail: "the bu
  */
 export function createJog(store, socket) {
   /** The axis of the last press. */
-  let pressed = "";
+  let pressed = "", holds = 0;
   /** @type {{ by: unknown, axis: Axis, timer: number, speed_percent: () => number } | undefined} */ let held;
 
   /** @param {unknown} by the input that holds @param {Axis} axis @param {() => number} speed_percent of each press */
@@ -32,7 +32,8 @@ export function createJog(store, socket) {
     if (blockedReason(store.page)) return;
     socket.takeControlIfFree();
     const { frame } = store.page.jog;
-    const mine = { by, axis, speed_percent, timer: setInterval(press, JOG_MS) };
+    const number = holds += 1;
+    const mine = { by, axis, speed_percent, timer: setInterval(press, REPEAT_MS) };
     held = mine;
     pressed = axis;
     const { arm, at_s } = /** @type {import("../state/types.js").Station} */ (store.page.station);
@@ -41,7 +42,7 @@ export function createJog(store, socket) {
 
     async function press() {
       const jog = /** @type {Schemas["Jog"]} */ ({ frame, axis, speed_percent: mine.speed_percent() });
-      const { problem } = await socket.ask({ type: "jog", jog });
+      const { problem } = await socket.ask({ type: "jog", jog }, { number, busy_ms: Math.max(BUSY_MS, 1000 * (store.page.policy?.jog.dead_man_s ?? 0)) });
       // A refusal ends the press: it is shown next to the button, and a new press is needed.
       if (!problem || held !== mine) return;
       release();

@@ -1,6 +1,8 @@
 // The WebSocket to the station: connects, reconnects, and delivers each answer to its requester. It draws nothing.
 
 import { DEVICE } from "../parts/name.js";
+import { REPEATED } from "./keep_alive.js";
+import { createThreadedSocket } from "./threaded_socket.js";
 import { SILENT_MS, watchSilence } from "./silence.js";
 
 /** @typedef {import("../state/types.js").Schemas} Schemas */
@@ -13,6 +15,10 @@ import { SILENT_MS, watchSilence } from "./silence.js";
 const RECONNECT_MS = 1000, CONNECT_MS = 5000;
 /** Requests that need control. Held buttons and pads take it once, when they are pressed: a hold does not take it back. @type {ReadonlySet<Request["type"]>} */
 const NEED_CONTROL = new Set(["step", "arm_laser", "set_angles", "detect", "start_job", "step_job", "set_job_speed", "set_job_height"]);
+/** Requests that end the hold of a button. @type {ReadonlySet<Request["type"]>} */
+const ENDS_HOLD = new Set(["release", "stop"]);
+/** @type {Answer} */
+const LET_GO = { problem: { type: "/api/v1/problems/let-go", title: "the button was released", detail: "the page did not respond in time" } };
 /** @type {Answer} */
 export const NO_CONNECTION = { problem: { type: "no-connection", title: "no connection", detail: "the station cannot be reached at the moment", hint: "the page reconnects automatically" } };
 
@@ -22,11 +28,12 @@ export const NO_CONNECTION = { problem: { type: "no-connection", title: "no conn
  * @param {import("./http.js").Http} outside.http
  */
 export function createSocket({ store, http }) {
-  /** @type {WebSocket | undefined} */ let socket;
+  const open = createThreadedSocket();
+  /** @type {import("./threaded_socket.js").Connection | undefined} */ let socket;
   let lastId = 0;
   /** @type {Map<number, (answer: Answer) => void>} */ const waiting = new Map();
 
-  const isOpen = () => socket?.readyState === WebSocket.OPEN;
+  const isOpen = () => socket?.isOpen() ?? false;
   // A station sends a state with each status of a connected arm, and on changes of a disconnected one.
   const isExpected = () => isOpen() && (store.page.station?.link.phase ?? "up") === "up";
   const resetSilence = watchSilence({ isExpected, silent: reconnect });
@@ -39,14 +46,18 @@ export function createSocket({ store, http }) {
     url.searchParams.set("device", DEVICE);
     url.protocol = url.protocol.replace("http", "ws");
     const token = http.token();
-    const mine = socket = new WebSocket(url, token ? ["dobot", `dobot.token.${token}`] : ["dobot"]);
     const late = setTimeout(() => mine === socket && reconnect(), CONNECT_MS);
-    mine.addEventListener("open", () => clearTimeout(late));
-    mine.addEventListener("message", (event) => mine === socket && handleMessage(JSON.parse(event.data), name || "page"));
-    mine.addEventListener("close", (event) => {
-      clearTimeout(late);
-      if (mine === socket) void tryAgain(event);
+    /** @type {import("./threaded_socket.js").Connection} */
+    const mine = open(url.href, token ? ["dobot", `dobot.token.${token}`] : ["dobot"], {
+      opened: () => clearTimeout(late),
+      message: (data) => mine === socket && handleMessage(JSON.parse(data), name || "page"),
+      released: (id) => mine === socket && answer(id, LET_GO),
+      closed(end) {
+        clearTimeout(late);
+        if (mine === socket) void tryAgain(end);
+      },
     });
+    socket = mine;
   }
 
   /** Replaces the connection without waiting for its end: a silent one may take minutes to close. */
@@ -77,14 +88,19 @@ export function createSocket({ store, http }) {
     } else if ("notice" in message) {
       store.send({ type: "notice", notice: message.notice });
     } else if (message.id != null && waiting.has(message.id)) {
-      waiting.get(message.id)?.("problem" in message ? { problem: message.problem } : { reply: message.reply });
-      waiting.delete(message.id);
-    } else if ("problem" in message) {
+      answer(message.id, "problem" in message ? { problem: message.problem } : { reply: message.reply });
+    } else if ("problem" in message && message.id !== REPEATED) {
       store.send({ type: "problem", problem: message.problem });
     }
   }
 
-  /** @param {CloseEvent} event */
+  /** Gives a request its answer. @param {number} id @param {Answer} answer */
+  function answer(id, answer) {
+    waiting.get(id)?.(answer);
+    waiting.delete(id);
+  }
+
+  /** @param {{ code: number, reason: string }} event */
   async function tryAgain(event) {
     lose();
     if (event.code === 1008) store.send({ type: "problem", problem: { title: "the station closed the connection", detail: event.reason } });
@@ -98,8 +114,8 @@ export function createSocket({ store, http }) {
     if (store.page.station && !store.page.station.lease) void ask({ type: "take_lease" });
   }
 
-  /** Sends a request; it always gets an answer. @param {Request} request @returns {Promise<Answer>} */
-  function ask(request) {
+  /** Sends a request; it always gets an answer. @param {Request} request @param {import("./keep_alive.js").Hold | null} [hold] the hold of a button that it repeats @returns {Promise<Answer>} */
+  function ask(request, hold = null) {
     if (!socket || !isOpen()) return Promise.resolve(NO_CONNECTION);
     if (NEED_CONTROL.has(request.type)) takeControlIfFree();
     // A person starts the job here and has seen what it waits for.
@@ -108,7 +124,7 @@ export function createSocket({ store, http }) {
     const id = lastId += 1;
     /** @type {Schemas["FromClient"]} */
     const message = { id, request };
-    socket.send(JSON.stringify(message));
+    socket.send(JSON.stringify(message), id, hold, ENDS_HOLD.has(request.type));
     return new Promise((resolve) => waiting.set(id, resolve));
   }
 
