@@ -23,7 +23,7 @@ main() {
   step "status" user 'dobot status --count 1'
   step "page" page
   step "draw" user "dobot draw --text Hi --height 10 --picture /home/pupil/drawn.svg"
-  step "teach" python3 release/trial/teach.py chroot "$ROOT" su - pupil -c 'dobot teach taught.toml'
+  step "teach" python3 release/trial/teach.py "$ROOT/home/pupil/taught.toml" chroot "$ROOT" su - pupil -c 'dobot teach taught.toml'
   step "play what was taught" user 'grep -q point taught.toml && dobot play taught.toml'
   step "stop" user 'dobot stop --reason trial'
   user 'dobot status --count 1' >/dev/null
