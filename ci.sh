@@ -258,6 +258,7 @@ step_release() {
   if [[ $EUID == 0 ]]; then
     needs_command debootstrap debootstrap
     needs_command ip iproute2
+    needs_browser
   fi
   build release/all.sh
   release/trial.sh

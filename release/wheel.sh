@@ -8,9 +8,9 @@ source "$(dirname "${BASH_SOURCE[0]}")/settings.sh"
 tools
 
 main() {
-  local scripts=python/dobot_arm.data/scripts wheel
+  local scripts=python/dobot_arm._core.data/scripts wheel
   local -a for_linux=()
-  trap 'rm -rf python/dobot_arm.data python/LICENSES-OF-OTHERS.txt' EXIT
+  trap 'rm -rf python/dobot_arm._core.data python/LICENSES-OF-OTHERS.txt' EXIT
   mkdir -p "$PRODUCTS"
   cp "$STAGE/LICENSES-OF-OTHERS.txt" python
   trim_paths

@@ -25,6 +25,7 @@ impl About {
             (PROGRAM.to_owned(), self.program.clone()),
             (START.to_owned(), start.to_string()),
             (ADDRESS.to_owned(), self.address.clone()),
+            (FORMAT.to_owned(), KNOWN.to_string()),
         ]);
         if let Some(dialect) = self.dialect {
             metadata.insert(DIALECT.to_owned(), dialect.to_string());
@@ -36,6 +37,27 @@ impl About {
             name: NAME.to_owned(),
             metadata,
         }
+    }
+
+    /// Checks that this version can read a file with this metadata. A file without a format has the first one.
+    ///
+    /// # Errors
+    ///
+    /// What was found and what to do, in one line.
+    pub(crate) fn check_format(record: &mcap::records::Metadata) -> Result<(), String> {
+        let format = record.metadata.get(FORMAT);
+        let format = format.filter(|_| record.name == NAME);
+        if format.is_none_or(|format| format.parse::<u32>().is_ok_and(|format| format <= KNOWN)) {
+            return Ok(());
+        }
+        Err(format!(
+            "the recording has format {}, written by {}; this version reads formats up to {KNOWN}: use a newer version",
+            format.map_or("", String::as_str),
+            record
+                .metadata
+                .get(PROGRAM)
+                .map_or("another program", String::as_str),
+        ))
     }
 
     /// Parses the metadata of a file and the start of its times; `None` for metadata of another
@@ -59,6 +81,9 @@ const START: &str = "start";
 const ADDRESS: &str = "address";
 const DIALECT: &str = "dialect";
 const PERSONALITY: &str = "personality";
+const FORMAT: &str = "format";
+/// The newest format that this version knows, which it writes.
+const KNOWN: u32 = 1;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
@@ -83,6 +108,23 @@ mod tests {
             let read = About::of_metadata(&about.metadata(start)).unwrap();
             assert_eq!(read, (about, start));
         }
+    }
+
+    #[test]
+    fn a_recording_of_a_newer_program_is_refused() {
+        let mut metadata = About {
+            program: "dobot 0.3.0".to_owned(),
+            ..About::default()
+        }
+        .metadata(Timestamp::UNIX_EPOCH);
+        assert_eq!(About::check_format(&metadata), Ok(()));
+        metadata.metadata.insert(FORMAT.to_owned(), "2".to_owned());
+        let error = About::check_format(&metadata).unwrap_err();
+        for part in ["format 2", "dobot 0.3.0", "up to 1", "newer version"] {
+            assert!(error.contains(part), "`{part}` is missing: {error}");
+        }
+        metadata.metadata.remove(FORMAT);
+        assert_eq!(About::check_format(&metadata), Ok(()));
     }
 
     #[test]

@@ -118,6 +118,7 @@ impl Recording {
         match mcap::parse_record(kind, body).map_err(|_| BAD_RECORD)? {
             Record::Channel(channel) => self.channel(channel)?,
             Record::Metadata(metadata) => {
+                About::check_format(&metadata)?;
                 if let Some((about, start)) = About::of_metadata(&metadata) {
                     self.about = Some(about);
                     self.start_ns = u64::try_from(start.as_nanosecond()).ok();

@@ -60,7 +60,7 @@ fn a_station_refuses_the_data_of_a_newer_program() {
 
 #[test]
 fn a_running_station_is_reported_with_its_dialect() {
-    let up = Up::new();
+    let up = Up::new(&[]);
     let outcome = up.dobot(&["doctor"]);
     assert!(
         outcome
