@@ -393,6 +393,7 @@ step_python() {
     "$VENV/bin/mypy" --strict "$tests"
     "$VENV/bin/mypy" --strict -p dobot_arm
     "$VENV/bin/pyright" --pythonpath "$VENV/bin/python" "$tests" "$folder/dobot_arm"
+    "$VENV/bin/pyright" --pythonpath "$VENV/bin/python" --verifytypes dobot_arm --ignoreexternal
   )
   rm -rf "$folder"
 }

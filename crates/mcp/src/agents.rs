@@ -3,23 +3,27 @@
 use std::sync::Arc;
 
 use dobot_api::{JobView, LinkPhase, Reply, Request, Role, State, fetch};
-use rmcp::handler::server::tool::schema_for_input;
-use rmcp::model::{CallToolResult, Implementation, JsonObject, ServerCapabilities, ServerConfig};
+use rmcp::model::{
+    CallToolRequestParams, CallToolResponse, CallToolResult, GetPromptRequestParams,
+    GetPromptResponse, Implementation, JsonObject, ListPromptsResult, ListResourcesResult,
+    ListToolsResult, PaginatedRequestParams, ReadResourceRequestParams, ReadResourceResponse,
+    ReadResourceResult, ServerCapabilities, ServerConfig, Tool,
+};
 use rmcp::service::RequestContext;
-use rmcp::{RoleServer, ServerHandler, tool, tool_handler, tool_router};
-use schemars::JsonSchema;
+use rmcp::{ErrorData, RoleServer, ServerHandler};
 use serde_json::{Value, json};
 use tokio::sync::watch;
 
 use crate::Settings;
 use crate::arguments::{
-    AnswerJob, ChangeJob, CheckMove, JobAction, NewDrawing, Nothing, PlannedDrawing,
-    ProgramArguments, RunProgram, StopArguments, ToJoints, ToPoint, WhichJobs, read,
+    ChangeJob, CheckMove, JobAction, Nothing, StopArguments, ToJoints, ToPoint, read,
 };
 use crate::call::{Call, Shared, result};
 use crate::drawings::Drawings;
 use crate::own_jobs::OwnJobs;
 use crate::refused::Refused;
+use crate::tools::{TOOLS, ToolRow};
+use crate::{prompts, resources};
 
 /// The tools with which an agent uses the arm of a station.
 #[derive(Clone, Debug)]
@@ -51,223 +55,146 @@ impl Agents {
     }
 }
 
-#[tool_router]
-impl Agents {
-    #[tool(
-        description = "Returns the state of the arm: pose, lease holder, unfinished jobs, and the reasons why it cannot move (`alarms`).",
-        input_schema = schema::<Nothing>(),
-        annotations(read_only_hint = true)
-    )]
-    async fn look(
-        &self,
-        arguments: JsonObject,
-        context: RequestContext<RoleServer>,
-    ) -> CallToolResult {
-        let call = self.call(context);
-        result(
-            call.looking(async {
-                read(arguments).map(|Nothing {}| ())?;
-                look(&call).await
-            })
-            .await,
-        )
-    }
-
-    #[tool(
-        description = "Checks a move from the current position: returns where it would lead, or the rule that refuses it and the nearest allowed position. Nothing moves.",
-        input_schema = schema::<CheckMove>(),
-        annotations(read_only_hint = true)
-    )]
-    async fn check_move(
-        &self,
-        arguments: JsonObject,
-        context: RequestContext<RoleServer>,
-    ) -> CallToolResult {
-        let call = self.call(context);
-        result(call.looking(check_move(&call, arguments)).await)
-    }
-
-    #[tool(
-        description = "Moves the tool to a point in the base frame (x forward, y left, z up from the rear arm's pivot), and waits until it is at rest.",
-        input_schema = schema::<ToPoint>()
-    )]
-    async fn move_to(
-        &self,
-        arguments: JsonObject,
-        context: RequestContext<RoleServer>,
-    ) -> CallToolResult {
-        let call = self.call(context);
-        result(
-            call.moving(async { call.carry_out(&read::<ToPoint>(arguments)?.target()?).await })
-                .await,
-        )
-    }
-
-    #[tool(
-        description = "Moves the joints to angles, and waits until the arm is at rest.",
-        input_schema = schema::<ToJoints>()
-    )]
-    async fn move_joints(
-        &self,
-        arguments: JsonObject,
-        context: RequestContext<RoleServer>,
-    ) -> CallToolResult {
-        let call = self.call(context);
-        result(
-            call.moving(async {
-                call.carry_out(&read::<ToJoints>(arguments)?.target()?)
-                    .await
-            })
-            .await,
-        )
-    }
-
-    #[tool(
-        description = "Plans a drawing and returns a picture, its duration, its warnings and the reason why the arm may not draw it. Nothing moves. Pass the returned number to `draw`. The height of the paper is that of the pen now, or `options.place.pen_down`.",
-        input_schema = schema::<NewDrawing>(),
-        annotations(read_only_hint = true)
-    )]
-    async fn plan_drawing(
-        &self,
-        arguments: JsonObject,
-        context: RequestContext<RoleServer>,
-    ) -> CallToolResult {
-        let call = self.call(context);
-        let planned = call.looking(async { call.plan_drawing(read(arguments)?).await });
-        let planned = Box::pin(planned).await;
-        planned.unwrap_or_else(|error| error.result())
-    }
-
-    #[tool(
-        description = "Draws a planned drawing with a pen, as a job. If a person has to start jobs, it is only queued. Drawings for the laser are refused.",
-        input_schema = schema::<PlannedDrawing>()
-    )]
-    async fn draw(
-        &self,
-        arguments: JsonObject,
-        context: RequestContext<RoleServer>,
-    ) -> CallToolResult {
-        let call = self.call(context);
-        result(
-            call.moving(async { call.draw(&read(arguments)?).await })
-                .await,
-        )
-    }
-
-    #[tool(
-        description = "Checks a program: returns its steps, their durations, and all problems. Nothing moves.",
-        input_schema = schema::<ProgramArguments>(),
-        annotations(read_only_hint = true)
-    )]
-    async fn check_program(
-        &self,
-        arguments: JsonObject,
-        context: RequestContext<RoleServer>,
-    ) -> CallToolResult {
-        let call = self.call(context);
-        result(
-            call.looking(async { call.check_program(read(arguments)?).await })
-                .await,
-        )
-    }
-
-    #[tool(
-        description = "Runs a program as a job. If a person has to start jobs, it is only queued.",
-        input_schema = schema::<RunProgram>()
-    )]
-    async fn run_program(
-        &self,
-        arguments: JsonObject,
-        context: RequestContext<RoleServer>,
-    ) -> CallToolResult {
-        let call = self.call(context);
-        result(
-            call.moving(async { call.run_program(read(arguments)?).await })
-                .await,
-        )
-    }
-
-    #[tool(
-        description = "Returns the jobs and their progress; or one job, when it stops running or the waiting time is over.",
-        input_schema = schema::<WhichJobs>(),
-        annotations(read_only_hint = true)
-    )]
-    async fn jobs(
-        &self,
-        arguments: JsonObject,
-        context: RequestContext<RoleServer>,
-    ) -> CallToolResult {
-        let call = self.call(context);
-        result(
-            call.looking(async { call.jobs(read(arguments)?).await })
-                .await,
-        )
-    }
-
-    #[tool(
-        description = "Pauses, starts or resumes, or cancels a job.",
-        input_schema = schema::<ChangeJob>()
-    )]
-    async fn change_job(
-        &self,
-        arguments: JsonObject,
-        context: RequestContext<RoleServer>,
-    ) -> CallToolResult {
-        let call = self.call(context);
-        let change = match read::<ChangeJob>(arguments) {
-            Ok(change) => change,
-            Err(refused) => return refused.result(),
-        };
-        result(match change.action {
-            JobAction::Resume => call.moving(call.resume_job(&change)).await,
-            JobAction::Pause | JobAction::Cancel => call.end_job(&change).await,
-        })
-    }
-
-    #[tool(
-        description = "Answers the question of a running program that this agent has started (`question` in `jobs`): one of its answers, or the position that it asks for, if the policy allows it. Questions for a person are refused.",
-        input_schema = schema::<AnswerJob>()
-    )]
-    async fn answer_job(
-        &self,
-        arguments: JsonObject,
-        context: RequestContext<RoleServer>,
-    ) -> CallToolResult {
-        let call = self.call(context);
-        result(
-            call.moving(async { call.answer_job(read(arguments)?).await })
-                .await,
-        )
-    }
-
-    #[tool(
-        description = "Stops the arm, with or without control. It stays stopped until a person has checked it and resets the stop.",
-        input_schema = schema::<StopArguments>(),
-        annotations(idempotent_hint = true)
-    )]
-    async fn stop(
-        &self,
-        arguments: JsonObject,
-        context: RequestContext<RoleServer>,
-    ) -> CallToolResult {
-        let call = self.call(context);
-        // A stop is not refused because of its arguments.
-        let reason = read::<StopArguments>(arguments)
-            .ok()
-            .and_then(|arguments| arguments.reason);
-        let stopped = call.stop(reason).await;
-        result(stopped.map(|within_s| json!({ "rests_within_s": within_s })))
-    }
-}
-
-#[tool_handler]
 impl ServerHandler for Agents {
     fn get_info(&self) -> ServerConfig {
         let version = env!("CARGO_PKG_VERSION");
-        ServerConfig::new(ServerCapabilities::builder().enable_tools().build())
+        let capabilities = ServerCapabilities::builder()
+            .enable_prompts()
+            .enable_resources()
+            .enable_tools()
+            .build();
+        ServerConfig::new(capabilities)
             .with_server_info(Implementation::new("dobot", version))
             .with_instructions(INSTRUCTIONS)
     }
+
+    async fn list_tools(
+        &self,
+        _: Option<PaginatedRequestParams>,
+        _: RequestContext<RoleServer>,
+    ) -> Result<ListToolsResult, ErrorData> {
+        let tools = TOOLS.iter().map(ToolRow::tool).collect();
+        Ok(ListToolsResult::with_all_items(tools))
+    }
+
+    fn get_tool(&self, name: &str) -> Option<Tool> {
+        let row = TOOLS.iter().find(|row| row.name == name);
+        row.map(ToolRow::tool)
+    }
+
+    async fn call_tool(
+        &self,
+        request: CallToolRequestParams,
+        context: RequestContext<RoleServer>,
+    ) -> Result<CallToolResponse, ErrorData> {
+        let call = self.call(context);
+        let arguments = request.arguments.unwrap_or_default();
+        let done = Box::pin(run(&call, &request.name, arguments)).await;
+        let unknown = || {
+            let names: Vec<&str> = TOOLS.iter().map(|row| row.name).collect();
+            let names = names.join(", ");
+            let text = format!("there is no tool `{}`; there are {names}", request.name);
+            ErrorData::invalid_params(text, None)
+        };
+        done.map(CallToolResponse::from).ok_or_else(unknown)
+    }
+
+    async fn list_resources(
+        &self,
+        _: Option<PaginatedRequestParams>,
+        _: RequestContext<RoleServer>,
+    ) -> Result<ListResourcesResult, ErrorData> {
+        Ok(ListResourcesResult::with_all_items(resources::list()))
+    }
+
+    async fn read_resource(
+        &self,
+        request: ReadResourceRequestParams,
+        context: RequestContext<RoleServer>,
+    ) -> Result<ReadResourceResponse, ErrorData> {
+        let call = self.call(context);
+        let contents = resources::read(&call, &request.uri).await?;
+        Ok(ReadResourceResult::new(vec![contents]).into())
+    }
+
+    async fn list_prompts(
+        &self,
+        _: Option<PaginatedRequestParams>,
+        _: RequestContext<RoleServer>,
+    ) -> Result<ListPromptsResult, ErrorData> {
+        Ok(ListPromptsResult::with_all_items(prompts::list()))
+    }
+
+    async fn get_prompt(
+        &self,
+        request: GetPromptRequestParams,
+        _: RequestContext<RoleServer>,
+    ) -> Result<GetPromptResponse, ErrorData> {
+        prompts::get(&request).map(Into::into)
+    }
+}
+
+/// Runs a tool; `None` if there is none of this name.
+async fn run(call: &Call, name: &str, arguments: JsonObject) -> Option<CallToolResult> {
+    Some(match name {
+        "look" => {
+            let looked = async {
+                read(arguments).map(|Nothing {}| ())?;
+                look(call).await
+            };
+            result(call.looking(looked).await)
+        }
+        "check_move" => result(call.looking(check_move(call, arguments)).await),
+        "move_to" => {
+            let moved = async { call.carry_out(&read::<ToPoint>(arguments)?.target()?).await };
+            result(call.moving(moved).await)
+        }
+        "move_joints" => {
+            let moved = async {
+                call.carry_out(&read::<ToJoints>(arguments)?.target()?)
+                    .await
+            };
+            result(call.moving(moved).await)
+        }
+        "plan_drawing" => {
+            let planned = call.looking(async { call.plan_drawing(read(arguments)?).await });
+            planned.await.unwrap_or_else(|error| error.result())
+        }
+        "draw" => {
+            let drawn = async { call.draw(&read(arguments)?).await };
+            result(call.moving(drawn).await)
+        }
+        "check_program" => {
+            let checked = async { call.check_program(read(arguments)?).await };
+            result(call.looking(checked).await)
+        }
+        "run_program" => {
+            let done = async { call.run_program(read(arguments)?).await };
+            result(call.moving(done).await)
+        }
+        "jobs" => {
+            let jobs = async { call.jobs(read(arguments)?).await };
+            result(call.looking(jobs).await)
+        }
+        "change_job" => match read::<ChangeJob>(arguments) {
+            Err(refused) => refused.result(),
+            Ok(change) => result(match change.action {
+                JobAction::Resume => call.moving(call.resume_job(&change)).await,
+                JobAction::Pause | JobAction::Cancel => call.end_job(&change).await,
+            }),
+        },
+        "answer_job" => {
+            let answered = async { call.answer_job(read(arguments)?).await };
+            result(call.moving(answered).await)
+        }
+        "stop" => {
+            // A stop is not refused because of its arguments.
+            let arguments = read::<StopArguments>(arguments).ok();
+            let stopped = call.stop(arguments.and_then(|stop| stop.reason)).await;
+            result(stopped.map(|within_s| json!({ "rests_within_s": within_s })))
+        }
+        _ => return None,
+    })
 }
 
 async fn look(call: &Call) -> Result<Value, Refused> {
@@ -333,11 +260,7 @@ async fn check_move(call: &Call, arguments: JsonObject) -> Result<Value, Refused
     }
 }
 
-/// Returns the schema of a tool's arguments.
-fn schema<T: JsonSchema + 'static>() -> Arc<JsonObject> {
-    schema_for_input::<T>().expect("the arguments of a tool are an object")
-}
-
-const INSTRUCTIONS: &str = "A small robot arm on a desk, with people near it. Call `look` first. Plan a drawing and check its picture before \
+const INSTRUCTIONS: &str = "A small robot arm on a desk, with people near it. Lengths are millimetres in the base frame (x forward, y left, \
+    z up from the rear arm's pivot), angles degrees, times seconds. Call `look` first. Plan a drawing and check its picture before \
     drawing it. A refusal contains the rule, the position and a hint; do not repeat the same call. When in doubt, `stop`; a person resets \
     the stop. The laser is reserved for people.";

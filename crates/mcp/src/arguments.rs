@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use dobot_api::GivenPlace;
 use dobot_api::problem_kinds::OUT_OF_RANGE;
-use dobot_draw::{Format, Options};
+use dobot_draw::Options;
 use dobot_host::{Target, TargetPlace};
 use dobot_wire::{MovingMode, single};
 use rmcp::model::JsonObject;
@@ -55,13 +55,13 @@ pub(crate) struct ToPoint {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ToJoints {
-    /// The angle of the base, in degrees; positive is left of straight ahead.
+    /// The base, in degrees, positive to the left of straight ahead; -135 to 135.
     base_deg: f64,
-    /// The angle of the rear arm, in degrees.
+    /// The rear arm, in degrees from the vertical, positive forward; -5 to 85.
     rear_deg: f64,
-    /// The angle of the forearm, in degrees.
+    /// The forearm, in degrees below the horizontal; -10 to 95.
     fore_deg: f64,
-    /// The angle of the servo, in degrees.
+    /// The servo of the tool, in degrees; -90 to 90. Omitted, it does not move.
     servo_deg: Option<f64>,
     #[serde(flatten)]
     there: There,
@@ -150,8 +150,10 @@ fn maybe(name: &str, value: Option<f64>) -> Result<Option<f32>, Refused> {
 #[serde(deny_unknown_fields)]
 pub(crate) struct CheckMove {
     /// The arguments of `move_to`.
+    #[schemars(with = "Option<JsonObject>")]
     move_to: Option<ToPoint>,
     /// The arguments of `move_joints`.
+    #[schemars(with = "Option<JsonObject>")]
     move_joints: Option<ToJoints>,
 }
 
@@ -176,17 +178,13 @@ pub(crate) struct NewDrawing {
     pub(crate) text: Option<String>,
     /// A whole SVG document.
     pub(crate) svg: Option<String>,
-    /// A file in the folder for agents.
-    #[schemars(description = file_description())]
+    /// A file in the folder for agents: SVG, DXF, G-code, images and others.
     pub(crate) file: Option<String>,
-    /// The options, as those of `dobot draw`.
+    /// Options in groups, such as {"place": {"pen_down": -40}, "tool": {"speed": 30}}; the resource
+    /// dobot://drawing-options describes them.
     #[serde(default)]
+    #[schemars(with = "JsonObject")]
     pub(crate) options: Options,
-}
-
-fn file_description() -> String {
-    let formats = Format::names(|_| true, "or");
-    format!("A file in the folder for agents, in one of the formats {formats}")
 }
 
 /// A planned drawing.

@@ -7,7 +7,7 @@ use dobot_api::{Reply, Request, Role, State, StationAddress, fetch};
 use dobot_host::{StationClient, Target};
 use dobot_supervisor::is_plain;
 use rmcp::RoleServer;
-use rmcp::model::CallToolResult;
+use rmcp::model::{CallToolResult, ProgressNotificationParam};
 use rmcp::service::RequestContext;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -170,6 +170,23 @@ impl Call {
         }
         let state = self.state().await?;
         Ok(json!({ "arm": state.arm }))
+    }
+
+    /// Reports the progress of this call, if its agent asked for that.
+    pub(crate) async fn report_progress(&self, completed: usize, commands: usize, title: &str) {
+        let Some(token) = self.context.meta.get_progress_token() else {
+            return;
+        };
+        #[expect(
+            clippy::cast_precision_loss,
+            reason = "a job has at most a million commands"
+        )]
+        let [progress, total] = [completed, commands].map(|count| count as f64);
+        let report = ProgressNotificationParam::new(token, progress)
+            .with_total(total)
+            .with_message(title);
+        // An agent that is gone is noticed by the call.
+        let _ = self.context.peer.notify_progress(report).await;
     }
 
     /// Returns the agent's name for others.

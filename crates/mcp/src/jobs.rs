@@ -85,7 +85,7 @@ impl Call {
             station.remove_unstarted(job).await;
             return Err(refused);
         }
-        follow(station, job, time).await
+        self.follow(station, job, time).await
     }
 
     pub(crate) async fn jobs(&self, which: WhichJobs) -> Result<Value, Refused> {
@@ -139,7 +139,7 @@ impl Call {
             .check_may_resume(&self.name(), &found)?;
         station.request(Request::TakeLease).await?;
         start(&mut station, asked.job).await?;
-        follow(&mut station, asked.job, time).await
+        self.follow(&mut station, asked.job, time).await
     }
 }
 
@@ -160,7 +160,69 @@ impl Call {
         };
         let job = asked.job;
         station.request(Request::AnswerJob { job, answer }).await?;
-        follow(&mut station, job, time).await
+        self.follow(&mut station, job, time).await
+    }
+}
+
+impl Call {
+    /// Waits until a job stops running, within a timeout.
+    async fn follow(
+        &self,
+        station: &mut StationClient,
+        job: u64,
+        time: Duration,
+    ) -> Result<Value, Refused> {
+        let mut watch = JobWatch::new(job);
+        let mut progress = Progress::default();
+        let over = async {
+            loop {
+                let notice = match station.next().await? {
+                    StationEvent::Notice(notice) => notice,
+                    StationEvent::State(state) => {
+                        if let Some(view) = state.job.as_ref().filter(|view| view.job == job) {
+                            progress.report(self, state.at_s, view).await;
+                        }
+                        continue;
+                    }
+                };
+                if notice.news == (News::JobAsks { job }) {
+                    return Ok((JobPhase::Running, notice.text));
+                }
+                if let Some(over) = watch.handle_notice(&notice) {
+                    return Ok::<_, Refused>(over);
+                }
+            }
+        };
+        let text = match timeout(time, over).await {
+            Err(_) => "the job is still running; `jobs` shows its progress".to_owned(),
+            Ok(Err(error)) => return Err(error),
+            Ok(Ok((JobPhase::Stopped | JobPhase::Failed, text))) => {
+                return Err(Refused::new("not-done", text));
+            }
+            Ok(Ok((_, text))) => text,
+        };
+        Ok(json!({ "message": text, "job": view(station, job).await? }))
+    }
+}
+
+/// The progress of a job, for an agent that asked for it.
+#[derive(Default)]
+struct Progress {
+    reported: Option<usize>,
+    /// The earliest time of the next report, in seconds since the station started.
+    next_s: f64,
+}
+
+impl Progress {
+    /// Reports the completed commands, at most once a second.
+    async fn report(&mut self, call: &Call, at_s: f64, view: &JobView) {
+        if at_s < self.next_s || self.reported == Some(view.completed) {
+            return;
+        }
+        self.reported = Some(view.completed);
+        self.next_s = at_s + 1.0;
+        call.report_progress(view.completed, view.commands, &view.title)
+            .await;
     }
 }
 
@@ -170,33 +232,6 @@ async fn start(station: &mut StationClient, job: u64) -> Result<(), Refused> {
     station.request_at_rest(Request::StartJob { job }).await?;
     station.request(Request::ReleaseLease).await?;
     Ok(())
-}
-
-/// Waits until a job stops running, within a timeout.
-async fn follow(station: &mut StationClient, job: u64, time: Duration) -> Result<Value, Refused> {
-    let mut watch = JobWatch::new(job);
-    let over = async {
-        loop {
-            let StationEvent::Notice(notice) = station.next().await? else {
-                continue;
-            };
-            if notice.news == (News::JobAsks { job }) {
-                return Ok((JobPhase::Running, notice.text));
-            }
-            if let Some(over) = watch.handle_notice(&notice) {
-                return Ok::<_, Refused>(over);
-            }
-        }
-    };
-    let text = match timeout(time, over).await {
-        Err(_) => "the job is still running; `jobs` shows its progress".to_owned(),
-        Ok(Err(error)) => return Err(error),
-        Ok(Ok((JobPhase::Stopped | JobPhase::Failed, text))) => {
-            return Err(Refused::new("not-done", text));
-        }
-        Ok(Ok((_, text))) => text,
-    };
-    Ok(json!({ "message": text, "job": view(station, job).await? }))
 }
 
 /// Waits until a job stops running.

@@ -26,9 +26,12 @@ mod files;
 mod http;
 mod jobs;
 mod own_jobs;
+mod prompts;
 mod refused;
+mod resources;
 mod serve;
 mod settings;
+mod tools;
 
 pub use agents::Agents;
 pub use files::{FilesFolder, FilesFolderError};
