@@ -140,7 +140,7 @@ class Eye:
         """
         frame = self.frame() if frame is None else frame
         seen_at = time.time()
-        light = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+        light = _brightness(frame)
         found = self._markers(light)
         troubles = _troubles(frame, light)
         view = _view(found, (light.shape[1], light.shape[0]))
@@ -180,7 +180,7 @@ class Eye:
         Draw them with lines of 8 mm at 45 degrees, at least 10 mm from the points of the sheet. The photo should have
         at least 1200 pixels along its longer side.
         """
-        light = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+        light = _brightness(frame)
         view = _view(self._markers(light), (light.shape[1], light.shape[0]))
         if view is None:
             raise Error("fewer than three markers of the sheet are in the photo; take another one with all four corners")
@@ -193,6 +193,10 @@ class Eye:
         # OpenCV counts from the middle of the first pixel.
         rough = [np.asarray(own, float).reshape(4, 2) + 0.5 for own in corners]
         return {int(number): _exact_corners(light, own) for number, own in zip(numbers.ravel(), rough)}
+
+
+def _brightness(frame: Frame) -> Frame:
+    return cast("Frame", cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY))
 
 
 _NEAR_PX, _PLACES, _ENDS = 3, 16, 0.12
@@ -309,7 +313,7 @@ def _view(found: Mapping[int, Array], size: tuple[int, int]) -> _View | None:
     camera_mm = _camera(h) * _UNIT_MM + np.append(_MIDDLE_MM, 0.0)
     left, right = _project(h, np.array([[-0.5, 0.0], [0.5, 0.0]]))
     typical_mm = float(np.sqrt(off / len(sheet)) / np.linalg.norm(right - left) * _UNIT_MM)
-    return _View(size, lens, h, np.linalg.inv(h), camera_mm, typical_mm)
+    return _View(size, lens, h, cast("Array", np.linalg.inv(h)), camera_mm, typical_mm)
 
 
 def _camera(h: Array) -> Array:

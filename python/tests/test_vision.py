@@ -6,6 +6,7 @@ import json
 import math
 import os
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ import pytest
 import dobot_arm as dobot
 from dobot_arm.vision import CROSSES, Cross, Eye, calibrate_from_photo, draw_crosses
 
+NOWHERE = dobot.Status(0, 0, 0, 0, 0, 0, 0, 0, False, 0)
 ARMS = int(os.environ.get("PHOTOS_ARMS", "4"))
 
 
@@ -58,7 +60,7 @@ def test_an_arm_is_calibrated_by_one_photo_of_crosses(tmp_path: Path) -> None:
     errors = []
     for frame, truth in photos(tmp_path, "crosses", ARMS, "1024x768"):
         drawn = [
-            Cross(wanted, dobot.Status(0, 0, 0, 0, *cross["raw_deg"], 0, False, 0))
+            Cross(wanted, replace(NOWHERE, **dict(zip(("base_deg", "rear_deg", "fore_deg"), cross["raw_deg"]))))
             for wanted, cross in zip(CROSSES, truth["crosses"])
         ]
         # The tool of a random arm is up to 10 mm off; its owner has measured it.
@@ -73,7 +75,7 @@ def test_an_arm_is_calibrated_by_one_photo_of_crosses(tmp_path: Path) -> None:
 
 def test_a_photo_without_the_crosses_is_refused(tmp_path: Path) -> None:
     ((frame, _),) = photos(tmp_path, "still", 1)
-    drawn = [Cross(wanted, dobot.Status(0, 0, 0, 0, 0, 0, 0, 0, False, 0)) for wanted in CROSSES]
+    drawn = [Cross(wanted, NOWHERE) for wanted in CROSSES]
     with pytest.raises(dobot.Error, match="of 25 crosses were found"):
         calibrate_from_photo(drawn, frame)
     ((covered, _),) = photos(tmp_path, "covered", 1)

@@ -53,7 +53,7 @@ function status(context) {
 }
 
 /** The tabs in which a person positions the arm. */
-const POSITIONS = new Set(["draw", "teach", "look", "set_up"]);
+const POSITIONS = new Set(["draw", "teach", "set_up"]);
 
 /** The jog pad over the picture, where no tab has to be changed to move the arm. @param {Context} context */
 export function floatingJog(context) {

@@ -137,9 +137,11 @@ export const ghostPlace = (page) => taughtPlace(page) ?? placeOf(page.target);
 /** The policy to show: the draft while it is edited. @param {Page} page */
 export const shownPolicy = ({ tab, set_up, policy }) => (tab === "set_up" && set_up.drafted) || policy;
 
-/** What the camera sees as objects on the table. @param {Page["look"]} look @param {number} table_z_mm @returns {View["things"]} */
-const seenThings = (look, table_z_mm) => thingsOf(look).map(({ name, x_mm, y_mm, turn_deg, height_mm }) => ({
-  name: `seen: ${name}`, shape: { type: "box", size_mm: [SEEN_MM, SEEN_MM, Math.max(height_mm ?? 0, 1)] }, color: "#ff9f1a", at_mm: [x_mm, y_mm], turn_deg, bottom_mm: table_z_mm,
+const half = (/** @type {number} */ mm) => Math.round(mm * 2) / 2;
+
+/** What the camera sees as objects on the table, to half a millimetre: noise draws nothing. @param {Page["look"]} look @returns {View["things"]} */
+const seenThings = (look) => thingsOf(look).map(({ name, x_mm, y_mm, turn_deg, height_mm }) => ({
+  name: `seen: ${name}`, shape: { type: "box", size_mm: [SEEN_MM, SEEN_MM, Math.max(height_mm ?? 0, 1)] }, color: "#ff9f1a", at_mm: [half(x_mm), half(y_mm)], turn_deg: Math.round(turn_deg), bottom_mm: 0,
 }));
 
 /** Makes views for the stage; the same object for what did not change. */
@@ -153,7 +155,8 @@ export function createViewOf() {
     const place = placeOf(target);
     return place && { ...place, refused: target.refused };
   });
-  const seenOf = memoize(seenThings);
+  const looked = memoize(seenThings);
+  const thingsIn = memoize((/** @type {View["things"]} */ around, /** @type {string} */ seen) => [...around, .../** @type {View["things"]} */ (JSON.parse(seen))]);
   const taughtOf = memoize((/** @type {import("../stage/view.js").Pose} */ place, /** @type {boolean} */ refused) => ({ ...place, refused }));
   const planeOf = memoize((/** @type {Page["draw"]["paper"]} */ plane, /** @type {readonly import("../stage/view.js").Point[]} */ touches) => (plane || touches.length ? { z_mm: plane?.z_mm ?? NaN, slope_x: plane?.slope_x ?? 0, slope_y: plane?.slope_y ?? 0, touches } : null));
   const drawingOf = memoize((/** @type {NonNullable<Page["draw"]["timeline"]>} */ { timeline }) => linesOf(timeline));
@@ -165,13 +168,13 @@ export function createViewOf() {
     // A recorded arm is grey, without any live values next to it.
     if (arm) return { ...common, arm: common.shape && arm, old: true };
     const taught = taughtPlace(page);
-    const seen = seenOf(page.look, around.table_z_mm);
+    const seen = looked(page.look);
     const { places, found } = page.touch_paper;
     const plane = found?.paper ?? null;
     return {
       ...common,
       plane: page.tab === "set_up" && places ? planeOf(plane, places) : page.tab === "set_up" || page.tab === "draw" ? planeOf(page.draw.paper, NONE) : null,
-      things: seen.length ? [...around.things, ...seen] : around.things,
+      things: seen.length ? thingsIn(around.things, JSON.stringify(seen)) : around.things,
       planned: page.planned,
       drawing: page.tab === "draw" && page.draw.timeline ? drawingOf(page.draw.timeline) : null,
       arm: common.shape && reported(page.station),

@@ -26,6 +26,8 @@ export function createLook(store, http, socket, jobs) {
   /** @type {Worker | null} */ let worker = null;
   /** @type {number | undefined} */ let timer;
   /** The last times at which pictures were looked at. @type {number[]} */ let times = [];
+  /** When the last picture was taken. */
+  let taken = 0;
   /** Where the object that a program asks for was in the last pictures. @type {Thing[]} */ let steady = [];
   /** Counts openings: an answer to an earlier question for the camera is ignored. */
   let openings = 0;
@@ -35,6 +37,7 @@ export function createLook(store, http, socket, jobs) {
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d", { willReadFrequently: true }));
 
   function take() {
+    taken = performance.now();
     if (!worker || !video.videoWidth) return void (timer = setTimeout(take, BETWEEN_MS));
     [canvas.width, canvas.height] = [WIDTH, Math.round((WIDTH * video.videoHeight) / video.videoWidth)];
     context.drawImage(video, 0, 0, canvas.width, canvas.height);
@@ -49,7 +52,7 @@ export function createLook(store, http, socket, jobs) {
     times = [...times, now].slice(-11);
     const rate = times.length > 1 ? ((times.length - 1) * 1000) / (now - times[0]) : 0;
     send({ type: "look_seen", seen, rate });
-    timer = setTimeout(take, Math.max(0, BETWEEN_MS - (now - (times.at(-2) ?? 0))));
+    timer = setTimeout(take, Math.max(0, BETWEEN_MS - (now - taken)));
     answerProgram();
   }
 

@@ -21,6 +21,7 @@ mod programs;
 mod questions;
 mod releases;
 mod resumed;
+mod senses;
 mod slots;
 mod stalls;
 mod standing_laser;
