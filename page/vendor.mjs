@@ -14,6 +14,9 @@ const LIT = ["directive", "directive-helpers", "async-directive", "directives/cl
 
 const TOML = ["date", "error", "extract", "parse", "primitive", "stringify", "struct", "util"];
 
+/** What makes a module of a script that was published for Node. */
+const SCRIPT = { begin: "const exports = {}, module = { exports };\n", end: "\nexport default module.exports;\n" };
+
 /** A row for each file: where it comes from, where it goes to, and its types, for those that the page imports. */
 const ROWS = [
   { from: "three/build/three.module.min.js", to: "three/three.js", types: 'export * from "three";\n' },
@@ -31,16 +34,30 @@ const ROWS = [
   { from: "smol-toml/LICENSE", to: "smol-toml/LICENSE" },
   { from: "uqr/dist/index.mjs", to: "uqr/uqr.js", types: 'export * from "uqr";\n' },
   { from: "uqr/LICENSE", to: "uqr/LICENSE" },
+  { from: "blockly/blockly_compressed.js", to: "blockly/blockly.js", ...SCRIPT, types: 'import * as Blockly from "blockly/core";\nexport default Blockly;\n' },
+  ...["en", "zh-hans"].map((it) => ({ from: `blockly/msg/${it}.js`, to: `blockly/${it}.js`, ...SCRIPT, types: "declare const texts: Record<string, string>;\nexport default texts;\n" })),
+  { from: "blockly/LICENSE", to: "blockly/LICENSE" },
 ];
+
+/** The style sheet that Blockly puts into a page, which the page's security policy does not allow, without its pictures. */
+async function blocklyStyles() {
+  let css = "";
+  const head = { prepend: (style) => (css = style.textContent) };
+  Object.assign(globalThis, { window: {}, document: { head, createElement: () => ({}) } });
+  const { default: blockly } = await import(new URL("blockly/blockly_compressed.js", PACKAGES));
+  blockly.Css.inject({ getRootNode: () => document }, true, "");
+  return css.replace(/cursor: url\([^)]*\), /g, "cursor: ").replace(/background(-image)?: url\([^)]*\)[^;]*;/g, "");
+}
 
 /** What the folder has to hold: a text for each path. */
 async function made() {
   const files = new Map();
-  for (const { from, to, end = "", types } of ROWS) {
+  for (const { from, to, begin = "", end = "", types } of ROWS) {
     const text = await readFile(new URL(from, PACKAGES), "utf8");
-    files.set(to, text.replace(/\n?\/\/# sourceMappingURL=.*\s*$/, "\n") + end);
+    files.set(to, begin + text.replace(/\n?\/\/# sourceMappingURL=.*\s*$/, "\n") + end);
     if (types) files.set(to.replace(/\.js$/, ".d.ts"), types);
   }
+  files.set("blockly/blockly.css", await blocklyStyles());
   return files;
 }
 
