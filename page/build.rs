@@ -1,9 +1,12 @@
-//! Generates the table of the page's files: everything in `files/` except tests and types.
+//! Generates the table of the page's files: everything in `files/` except tests and types. Large files are compressed.
 
 use std::fs;
-use std::io;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::{env, process};
+
+use flate2::Compression;
+use flate2::write::GzEncoder;
 
 fn main() {
     println!("cargo::rerun-if-changed=files");
@@ -25,12 +28,13 @@ fn write_table() -> io::Result<()> {
     collect(&folder, &folder, &mut paths)?;
     // A browser opens `/` first.
     paths.sort_by_key(|path| (path != "index.html", path.clone()));
+    let out = variable("OUT_DIR")?;
     let rows: Vec<String> = paths
         .iter()
-        .map(|path| row(&folder, path))
+        .map(|path| row(&folder, &out, path))
         .collect::<io::Result<_>>()?;
     let table = format!("&[\n{}]\n", rows.concat());
-    fs::write(variable("OUT_DIR")?.join("files.rs"), table)
+    fs::write(out.join("files.rs"), table)
 }
 
 /// Adds the paths below a folder, separated by `/` on every system.
@@ -51,16 +55,26 @@ fn collect(root: &Path, folder: &Path, paths: &mut Vec<String>) -> io::Result<()
     Ok(())
 }
 
-fn row(folder: &Path, path: &str) -> io::Result<String> {
+fn row(folder: &Path, out: &Path, path: &str) -> io::Result<String> {
     let served = served_at(path);
     let kind = content_type(path)?;
-    let bytes = folder.join(path);
+    let mut bytes = folder.join(path);
+    let is_gzip = fs::metadata(&bytes)?.len() >= LARGE_BYTES;
+    if is_gzip {
+        let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
+        encoder.write_all(&fs::read(&bytes)?)?;
+        bytes = out.join(format!("{}.gz", path.replace('/', "-")));
+        fs::write(&bytes, encoder.finish()?)?;
+    }
     Ok(format!(
-        "File {{ path: {:?}, content_type: {kind:?}, bytes: include_bytes!({:?}) }},\n",
+        "File {{ path: {:?}, content_type: {kind:?}, is_gzip: {is_gzip}, bytes: include_bytes!({:?}) }},\n",
         format!("/{served}"),
         bytes.display().to_string(),
     ))
 }
+
+/// The size from which a file is compressed.
+const LARGE_BYTES: u64 = 32 * 1024;
 
 /// Returns the path at which a file is served; an `index.html` is served as its folder, such as `/fleet`.
 fn served_at(path: &str) -> &str {

@@ -1,12 +1,15 @@
 // Writes `files/api.d.ts`, the types of what a station and its page say to each other, from the document that a station
-// serves. With `--check` it writes nothing, and fails if they differ.
+// serves, and `files/program.schema.json`, from which the page makes its blocks. With `--check` it writes nothing, and fails if
+// they differ.
+import { execFileSync } from "node:child_process";
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import openapi, { astToString } from "openapi-typescript";
 import { end, start } from "./tests/program.mjs";
 
-const FILE = new URL("files/api.d.ts", import.meta.url);
+const TYPES = new URL("files/api.d.ts", import.meta.url);
+const SCHEMA = new URL("files/program.schema.json", import.meta.url);
 const HEAD = "// Made from the API's document by `npm run types --prefix page`.\n\n";
 
 /** The document of a station with a virtual arm. */
@@ -22,10 +25,12 @@ async function fetchDocument() {
   }
 }
 
-const made = HEAD + astToString(await openapi(await fetchDocument()));
-if (!process.argv.includes("--check")) {
-  await writeFile(FILE, made);
-} else if ((await readFile(FILE, "utf8")) !== made) {
-  console.error("page/files/api.d.ts is not what the API's document says; make it anew with: npm run types --prefix page");
-  process.exitCode = 1;
+const schema = execFileSync(process.env.DOBOT ?? "dobot", ["check", "--schema"], { encoding: "utf8" });
+for (const [file, made] of [[TYPES, HEAD + astToString(await openapi(await fetchDocument()))], [SCHEMA, schema]]) {
+  if (!process.argv.includes("--check")) {
+    await writeFile(file, made);
+  } else if ((await readFile(file, "utf8")) !== made) {
+    console.error(`${file.pathname} is not what the program says; make it anew with: npm run types --prefix page`);
+    process.exitCode = 1;
+  }
 }

@@ -21,10 +21,13 @@ const ARUCO = [
 ].map(({ from, to, needs, gives }) => ({
   from: `js-aruco2/src/${from}`,
   to: `js-aruco2/${to}`,
-  start: `${needs && `import * as needed from "./${needs}";\n`}const scope = { ${needs && "...needed"} };\n(function () {\n`,
+  begin: `${needs && `import * as needed from "./${needs}";\n`}const scope = { ${needs && "...needed"} };\n(function () {\n`,
   end: `\n}).call(scope);\nexport const ${gives} = scope.${gives};\n`,
   types: `export const ${gives}: any;\n`,
 }));
+
+/** What makes a module of a script that was published for Node. */
+const SCRIPT = { begin: "const exports = {}, module = { exports };\n", end: "\nexport default module.exports;\n" };
 
 /** A row for each file: where it comes from, where it goes to, and its types, for those that the page imports. */
 const ROWS = [
@@ -46,16 +49,30 @@ const ROWS = [
   // Scripts for Node and for a page's variables, made modules.
   ...ARUCO,
   { from: "js-aruco2/LICENSE.txt", to: "js-aruco2/LICENSE" },
+  { from: "blockly/blockly_compressed.js", to: "blockly/blockly.js", ...SCRIPT, types: 'import * as Blockly from "blockly/core";\nexport default Blockly;\n' },
+  ...["en", "zh-hans", "de"].map((language) => ({ from: `blockly/msg/${language}.js`, to: `blockly/${language}.js`, ...SCRIPT, types: "declare const texts: Record<string, string>;\nexport default texts;\n" })),
+  { from: "blockly/LICENSE", to: "blockly/LICENSE" },
 ];
+
+/** The style sheet that Blockly puts into a page, which the page's security policy does not allow, without its pictures. */
+async function blocklyStyles() {
+  let css = "";
+  const head = { prepend: (style) => (css = style.textContent) };
+  Object.assign(globalThis, { window: {}, document: { head, createElement: () => ({}) } });
+  const { default: blockly } = await import(new URL("blockly/blockly_compressed.js", PACKAGES));
+  blockly.Css.inject({ getRootNode: () => document }, true, "");
+  return css.replace(/cursor: url\([^)]*\), /g, "cursor: ").replace(/background(-image)?: url\([^)]*\)[^;]*;/g, "");
+}
 
 /** What the folder has to hold: a text for each path. */
 async function made() {
   const files = new Map();
-  for (const { from, to, start = "", end = "", types } of ROWS) {
+  for (const { from, to, begin = "", end = "", types } of ROWS) {
     const text = await readFile(new URL(from, PACKAGES), "utf8");
-    files.set(to, start + text.replace(/\n?\/\/# sourceMappingURL=.*\s*$/, "\n") + end);
+    files.set(to, begin + text.replace(/\n?\/\/# sourceMappingURL=.*\s*$/, "\n") + end);
     if (types) files.set(to.replace(/\.js$/, ".d.ts"), types);
   }
+  files.set("blockly/blockly.css", await blocklyStyles());
   return files;
 }
 
@@ -93,7 +110,7 @@ if (!process.argv.includes("--check")) {
 } else {
   const wrong = await differences(files);
   if (wrong.length > 0) {
-    console.error(`page/files/vendor is not what the pinned packages hold: ${wrong.join(", ")}; copy them anew with: npm ci --prefix page && npm run vendor --prefix page`);
+    console.error(`page/files/vendor is not what the pinned packages hold: ${wrong.join(", ")}; copy them again with: npm ci --prefix page && npm run vendor --prefix page`);
     process.exitCode = 1;
   }
 }

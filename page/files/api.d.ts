@@ -981,6 +981,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/programs/merge": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Puts the content of another program into a text; unchanged keys and steps keep their comments and their format, also steps that were moved */
+        post: operations["post_programs_merge"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/programs/convert": {
         parameters: {
             query?: never;
@@ -4062,7 +4079,7 @@ export interface components {
             title: string;
             /** @description Its steps, in execution order; the steps of a final repeat are listed once. */
             steps: components["schemas"]["StepReport"][];
-            /** @description All problems, in the order of the steps; for a text that cannot be parsed only the first. */
+            /** @description All problems, in the order of the steps or, of a text that cannot be parsed, of its lines. */
             problems: components["schemas"]["ProgramProblem"][];
             /**
              * Format: double
@@ -4206,6 +4223,29 @@ export interface components {
             name: string;
             /** @description Its position. */
             point: components["schemas"]["Point"];
+        } | {
+            /** @constant */
+            type: "rename_point";
+            /** @description Its name. */
+            name: string;
+            /** @description Its new name. */
+            to: string;
+        } | {
+            /** @constant */
+            type: "set_grid";
+            /** @description Its name. */
+            name: string;
+            /** @description The first cell, the end of the first row and the end of the first column. */
+            corners: components["schemas"]["RecordedPlace"][];
+            /** @description The number of its cells. */
+            size: components["schemas"]["GridSize"];
+        } | {
+            /** @constant */
+            type: "set_frame";
+            /** @description Its name. */
+            name: string;
+            /** @description The origin, a place on the x axis and one on the side of the y axis. */
+            places: components["schemas"]["RecordedPlace"][];
         };
         /** @description The action of a step. */
         Action: {
@@ -4310,6 +4350,19 @@ export interface components {
         /**
          * @description A point: x, y and z in mm, with an optional rotation and frame; or base, rear and fore in
          *     degrees, with an optional servo.
+         * @example {
+         *       "x": 200,
+         *       "y": 0,
+         *       "z": 50
+         *     }
+         * @example {
+         *       "base": 0,
+         *       "rear": 45,
+         *       "fore": 45
+         *     }
+         * @example {
+         *       "from": "cube"
+         *     }
          */
         Point: {
             /**
@@ -4388,7 +4441,14 @@ export interface components {
             /** @description What to do after the timeout. */
             otherwise: components["schemas"]["AfterTimeout"];
         };
-        /** @description A displacement along the axes of a frame, in mm. */
+        /**
+         * @description A displacement along the axes of a frame, in mm.
+         * @example {
+         *       "x": 0,
+         *       "y": 0,
+         *       "z": 10
+         *     }
+         */
         Offset: {
             /**
              * Format: double
@@ -4409,6 +4469,9 @@ export interface components {
         /**
          * @description Speeds of targets (states 9 and 10; Table 3.9). Omitted values stay unchanged; the initial ones
          *     are those of an arm after power-up.
+         * @example {
+         *       "percent": 50
+         *     }
          */
         Speed2: {
             /**
@@ -4643,6 +4706,32 @@ export interface components {
              */
             gripper_deg: number;
         };
+        /** @description The number of cells of a grid. As a text: `3x4`, or with layers `3x4x2`. */
+        GridSize: {
+            /**
+             * Format: uint32
+             * @description The cells in a row, 1 to 1000.
+             */
+            columns: number;
+            /**
+             * Format: uint32
+             * @description The rows in a layer, 1 to 1000.
+             */
+            rows: number;
+            /**
+             * Format: uint32
+             * @description The layers, 1 to 1000.
+             * @default 1
+             */
+            layers: number;
+            /**
+             * Format: double
+             * @description The distance from a layer to the next one, in mm upwards; negative goes down, from the top of
+             *     a stack. With one layer 0.
+             * @default 0
+             */
+            layer_mm: number;
+        };
         /** @description The text of a program. */
         EditedProgram: {
             /** @description The text. */
@@ -4652,6 +4741,18 @@ export interface components {
              * @description The number of steps.
              */
             steps: number;
+        };
+        /** @description The content of a program, to be put into a text. */
+        MergeProgram: {
+            /** @description The text, with its comments and its format. */
+            text: string;
+            /** @description The new content, as TOML; it may have problems, and keys that no program has. */
+            content: string;
+        };
+        /** @description The text with the new content. */
+        MergedProgram: {
+            /** @description The text. */
+            text: string;
         };
         /** @description A program to be converted to another format. */
         ConvertProgram: {
@@ -15012,6 +15113,141 @@ export interface operations {
             /**
              * @description - `bad-program`: the program cannot run
              *     - `out-of-range`: a number is out of range
+             *     - `invalid`: a field is invalid
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_programs_merge: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 65536 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "text": "[[steps]]\npause = 1 # a moment\n",
+                 *       "content": "[[steps]]\npause = 2\n"
+                 *     }
+                 */
+                "application/json": components["schemas"]["MergeProgram"];
+            };
+        };
+        responses: {
+            /** @description the text, which may have problems */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MergedProgram"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is no longer valid */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-program`: the program cannot run
              *     - `invalid`: a field is invalid
              */
             422: {

@@ -7,6 +7,8 @@ pub struct File {
     pub path: &'static str,
     /// The `Content-Type`, by file extension.
     pub content_type: &'static str,
+    /// Whether the content is compressed, as in `Content-Encoding: gzip`.
+    pub is_gzip: bool,
     /// The content.
     pub bytes: &'static [u8],
 }

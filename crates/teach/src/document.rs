@@ -1,6 +1,7 @@
 //! The editor of program texts, which keeps comments.
 
 mod blocks;
+mod content;
 mod layout;
 mod names;
 
@@ -11,6 +12,7 @@ use crate::{Action, Program, ProgramError};
 
 use self::layout::table_of;
 
+pub use self::content::with_content;
 pub(crate) use self::layout::on_lines;
 
 /// A program text that is edited step by step; untouched parts keep their comments and their

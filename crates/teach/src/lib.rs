@@ -71,7 +71,7 @@ pub use decision::{
     AfterTimeout, AnswerWait, Choose, ChosenBy, Comparison, Condition, ExternalPlace, Missed,
     Operand, Transfer, Variables, When,
 };
-pub use document::ProgramDocument;
+pub use document::{ProgramDocument, with_content};
 pub use error::ProgramError;
 pub use files::{Files, NoFiles};
 pub use place::{Place, Point};
@@ -82,4 +82,4 @@ pub use program::{
 pub use program_form::ProgramForm;
 pub use recorded_path::{RecordedPlace, ToolState, path_steps, simplified};
 pub use similar::nearest;
-pub use taught_grid::TaughtGrid;
+pub use taught_grid::{GridSize, TaughtGrid};

@@ -15,6 +15,7 @@ use crate::number::perhaps;
 #[serde(untagged)]
 pub enum Place {
     /// A name.
+    #[schemars(extend("x-names" = ["points", "grids"]))]
     Named(String),
     /// Coordinates or angles.
     At(Point),
@@ -103,7 +104,19 @@ impl JsonSchema for Point {
 /// degrees, with an optional servo.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
-#[schemars(rename = "Point")]
+#[schemars(
+    rename = "Point",
+    extend("examples" = [
+        {"x": 200, "y": 0, "z": 50},
+        {"base": 0, "rear": 45, "fore": 45},
+        {"from": "cube"},
+    ]),
+    extend("x-forms" = [
+        ["x", "y", "z", "rotation", "frame"],
+        ["base", "rear", "fore", "servo"],
+        ["from", "timeout", "otherwise"],
+    ])
+)]
 pub(crate) struct PointTable {
     /// The position forward of the base's axis, or along the frame's x axis, in mm.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
@@ -119,6 +132,7 @@ pub(crate) struct PointTable {
     rotation: Option<f64>,
     /// The name of a frame; default: the base frame.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-names" = ["frames"]))]
     frame: Option<String>,
     /// The base's angle in degrees, counter-clockwise seen from above.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]

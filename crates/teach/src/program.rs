@@ -12,6 +12,7 @@ use crate::decision::{Choose, Condition, Transfer, Variables, When};
 use crate::lines::Lines;
 use crate::number::{finite, perhaps};
 use crate::place::{Place, Point};
+use crate::recorded_path::RecordedPlace;
 use crate::step_table::StepTable;
 
 /// A taught program: named places and the steps that visit them.
@@ -193,6 +194,7 @@ pub struct Grid {
 /// A displacement along the axes of a frame, in mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
+#[schemars(extend("examples" = [{"x": 0, "y": 0, "z": 10}]))]
 pub struct Offset {
     /// Along x.
     #[serde(skip_serializing_if = "is_zero", deserialize_with = "finite")]
@@ -209,6 +211,7 @@ pub struct Offset {
 /// are those of an arm after power-up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
+#[schemars(extend("examples" = [{"percent": 50}]))]
 pub struct Speed {
     /// All speeds of targets, in percent of the ones below, above 0 to 100; initially 50.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "perhaps")]
@@ -307,6 +310,16 @@ impl Action {
             _ => (None, &[]),
         };
         steps.into_iter().chain(when.iter().map(|when| &when.steps))
+    }
+}
+
+impl Frame {
+    /// The frame of three touched places: its origin, a place on its x axis and one on the side of
+    /// its y axis.
+    #[must_use]
+    pub fn touched(places: &[RecordedPlace; 3]) -> Self {
+        let [origin, x, y] = places.map(|place| Place::At(place.point()));
+        Self { origin, x, y }
     }
 }
 

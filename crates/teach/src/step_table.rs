@@ -18,7 +18,7 @@ use crate::program::{Action, Arc, Drawing, Go, Here, Offset, Speed, Steps, Times
 /// the action; a step with only `suction`, `gripper` and `pause` acts at the current position.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
-#[schemars(rename = "Step")]
+#[schemars(rename = "Step", extend("x-verbs" = verbs()))]
 pub(crate) struct StepTable {
     /// Goes to a place.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -53,6 +53,7 @@ pub(crate) struct StepTable {
     speed: Option<Speed>,
     /// Selects the mounted tool by name.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-names" = ["tools"]))]
     tool: Option<String>,
     /// Repeats `steps` this many times, or `"forever"`.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -454,7 +455,10 @@ impl JsonSchema for Names {
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
         schemars::json_schema!({
             "description": "One name, or several.",
-            "anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}, "minItems": 1}],
+            "anyOf": [
+                {"type": "string", "x-names": ["grids"]},
+                {"type": "array", "items": {"type": "string"}, "minItems": 1},
+            ],
         })
     }
 }
@@ -629,6 +633,13 @@ fn beside(verb: &str) -> &'static [&'static str] {
         "place" => &["path", "approach", "retreat", "settle", "gripper"],
         _ => &[],
     }
+}
+
+/// The actions and the keys beside each, for editors: what the schema of a table cannot say.
+fn verbs() -> serde_json::Value {
+    let rows = VERBS.iter().chain(&["here"]);
+    rows.map(|verb| serde_json::json!({ "verb": verb, "beside": beside(verb) }))
+        .collect()
 }
 
 fn allowed(keys: &[&str]) -> String {

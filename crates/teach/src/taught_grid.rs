@@ -1,6 +1,10 @@
 //! Grids taught by three corners.
 
+use std::str::FromStr;
+
 use dobot_arm::Position;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 use crate::axes::{Axes, dot};
 use crate::recorded_path::rounded;
@@ -26,6 +30,62 @@ pub struct TaughtGrid {
     pub corner_deg: f64,
 }
 
+/// The number of cells of a grid. As a text: `3x4`, or with layers `3x4x2`.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GridSize {
+    /// The cells in a row, 1 to 1000.
+    #[schemars(range(min = 1, max = 1000))]
+    pub columns: u32,
+    /// The rows in a layer, 1 to 1000.
+    #[schemars(range(min = 1, max = 1000))]
+    pub rows: u32,
+    /// The layers, 1 to 1000.
+    #[serde(default = "one")]
+    #[schemars(range(min = 1, max = 1000))]
+    pub layers: u32,
+    /// The distance from a layer to the next one, in mm upwards; negative goes down, from the top of
+    /// a stack. With one layer 0.
+    #[serde(default)]
+    pub layer_mm: f64,
+}
+
+const fn one() -> u32 {
+    1
+}
+
+impl FromStr for GridSize {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let count = |text: &str| {
+            text.trim()
+                .parse()
+                .ok()
+                .filter(|count| (1..=MAX_CELLS).contains(count))
+        };
+        let counts: Option<Vec<u32>> = text.split('x').map(count).collect();
+        let (columns, rows, layers) = match counts.as_deref() {
+            Some([columns, rows]) => (*columns, *rows, 1),
+            Some([columns, rows, layers]) => (*columns, *rows, *layers),
+            _ => {
+                return Err(format!(
+                    "the size is {text:?}; allowed are columns x rows, for example 3x4, and columns x rows x layers, for example 3x4x2, each 1 to {MAX_CELLS}"
+                ));
+            }
+        };
+        Ok(Self {
+            columns,
+            rows,
+            layers,
+            layer_mm: 0.0,
+        })
+    }
+}
+
+/// The most cells of a grid in one direction.
+const MAX_CELLS: u32 = 1000;
+
 impl TaughtGrid {
     /// Computes the grid of these corners: the first cell, the end of the first row and the end of the first column.
     /// With a single column, the second place gives only the direction of the rows; with a single row, the third one
@@ -33,13 +93,24 @@ impl TaughtGrid {
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] if the corners lie on one line or are less than 1 mm apart.
+    /// [`ProgramError`] if the corners lie on one line or are less than 1 mm apart, or several layers
+    /// have no distance.
     pub fn of(
         name: &str,
         corners: &[RecordedPlace; 3],
-        columns: u32,
-        rows: u32,
+        size: GridSize,
     ) -> Result<Self, ProgramError> {
+        let GridSize {
+            columns,
+            rows,
+            layers,
+            layer_mm,
+        } = size;
+        if layers > 1 && layer_mm == 0.0 {
+            return Err(ProgramError::new(format!(
+                "the grid has {layers} layers with 0 mm between them; enter the distance from a layer to the next one"
+            )));
+        }
         let [first, row_end, column_end] = corners.map(|corner| {
             let [x, y, z] = corner.point_mm;
             Position::new(x, y, z)
@@ -68,11 +139,11 @@ impl TaughtGrid {
                 at: Place::At(corners[0].point_in(name, &axes)),
                 columns,
                 rows,
-                layers: 1,
+                layers,
                 pitch: Offset {
                     x: pitch(row.length().0, columns),
                     y: pitch(height, rows),
-                    z: 0.0,
+                    z: if layers > 1 { layer_mm } else { 0.0 },
                 },
             },
             corner_deg: cosine.clamp(-1.0, 1.0).acos().to_degrees(),
@@ -99,6 +170,34 @@ fn on_one_line() -> ProgramError {
 mod tests {
     use super::*;
 
+    fn size(text: &str) -> GridSize {
+        text.parse().unwrap()
+    }
+
+    #[test]
+    fn a_size_is_columns_rows_and_layers() {
+        let found = size("3 x 4 x 2");
+        assert_eq!((found.columns, found.rows, found.layers), (3, 4, 2));
+        assert_eq!(size("3x4").layers, 1);
+        for wrong in ["", "3", "3x", "0x4", "3x4x1001", "3x4x2x1", "-3x4"] {
+            let error = wrong.parse::<GridSize>().unwrap_err();
+            assert!(error.contains("for example 3x4x2"), "{wrong}: {error}");
+        }
+    }
+
+    #[test]
+    fn layers_lie_above_each_other_and_need_a_distance() {
+        let corners = [[200.0, 0.0, 0.0], [260.0, 0.0, 0.0], [200.0, 50.0, 0.0]].map(place);
+        let stack = GridSize {
+            layer_mm: 22.0,
+            ..size("3x2x4")
+        };
+        let grid = TaughtGrid::of("tray", &corners, stack).unwrap().grid;
+        assert_eq!((grid.layers, grid.pitch.z), (4, 22.0));
+        let error = TaughtGrid::of("tray", &corners, size("3x2x4")).unwrap_err();
+        assert!(error.to_string().contains("4 layers"), "{error}");
+    }
+
     fn place(point_mm: [f64; 3]) -> RecordedPlace {
         RecordedPlace {
             point_mm,
@@ -116,7 +215,7 @@ mod tests {
             [170.0, 0.0, -40.0],
         ]
         .map(place);
-        let taught = TaughtGrid::of("tray", &corners, 3, 2).unwrap();
+        let taught = TaughtGrid::of("tray", &corners, size("3x2")).unwrap();
         assert_eq!(taught.grid.pitch.x, 30.0);
         assert_eq!(taught.grid.pitch.y, 30.0);
         // The x axis points to the left, 90 degrees from the base's.
@@ -141,7 +240,7 @@ mod tests {
                 [200.0, 50.0 * side, 0.0],
             ]
             .map(place);
-            let taught = TaughtGrid::of("tray", &corners, 3, 3).unwrap();
+            let taught = TaughtGrid::of("tray", &corners, size("3x3")).unwrap();
             assert_eq!(taught.grid.pitch.y, pitch);
             assert_eq!(taught.frame.y, Place::At(Point::xyz(200.0, 50.0, 0.0)));
         }
@@ -150,14 +249,17 @@ mod tests {
     #[test]
     fn a_single_row_has_no_distance_to_the_next_one() {
         let corners = [[200.0, 0.0, 0.0], [260.0, 0.0, 0.0], [200.0, 50.0, 0.0]].map(place);
-        let pitch = TaughtGrid::of("tray", &corners, 4, 1).unwrap().grid.pitch;
+        let pitch = TaughtGrid::of("tray", &corners, size("4x1"))
+            .unwrap()
+            .grid
+            .pitch;
         assert_eq!((pitch.x, pitch.y), (20.0, 0.0));
     }
 
     #[test]
     fn corners_on_one_line_are_refused() {
         let corners = [[200.0, 0.0, 0.0], [260.0, 0.0, 0.0], [290.0, 0.0, 0.0]].map(place);
-        let error = TaughtGrid::of("tray", &corners, 2, 2).unwrap_err();
+        let error = TaughtGrid::of("tray", &corners, size("2x2")).unwrap_err();
         assert!(error.to_string().contains("on one line"), "{error}");
     }
 }

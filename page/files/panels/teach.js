@@ -8,6 +8,8 @@ import { rowAt, stepsIn } from "../state/teach.js";
 import { ROW_PX, startRowDrag } from "../input/row_drag.js";
 import { saveAs } from "../parts/download.js";
 import { sentence } from "../i18n/problem_text.js";
+import { blocks } from "../views/blocks.js";
+import { wizard } from "../views/wizard.js";
 import { blockedLine, problemLine } from "../views/problem.js";
 import { formatDuration } from "../i18n/i18n.js";
 
@@ -15,7 +17,7 @@ import { formatDuration } from "../i18n/i18n.js";
 /** @typedef {import("../state/teach.js").Row} Row */
 
 /** @type {readonly import("../state/teach.js").Mode[]} */
-const MODES = ["table", "text", "time"];
+const MODES = ["table", "blocks", "text", "time"];
 /** @type {readonly import("../state/types.js").Schemas["MovingMode"][]} */
 const PATHS = ["movj", "movl", "jump"];
 /** The most rows rendered of a long program. */
@@ -35,7 +37,7 @@ export function teach(context) {
       <legend class="unseen">${t("teach.view")}</legend>
       ${MODES.map((choice) => html`<label><input type="radio" name="teach-mode" value=${choice} .checked=${live(choice === mode)} @change=${() => act.send({ type: "teach_mode", mode: choice })}><span>${t(`teach.${choice}`)}</span></label>`)}
     </fieldset>`;
-  const views = { table: () => table(context, rows), text: () => area(context), time: () => timeline(context) };
+  const views = { blocks: () => blocks(context), table: () => table(context, rows), text: () => area(context), time: () => timeline(context) };
   return html`
     <section class="card" aria-labelledby="teach-title">
       <h2 id="teach-title">${t("teach")} <small>${page.teach.name}${report?.once_s ? ` · ${formatDuration(t, report.once_s)}` : ""}</small></h2>
@@ -46,13 +48,14 @@ export function teach(context) {
           ${PATHS.map((choice) => html`<label><input type="radio" name="teach-path" value=${choice} .checked=${live(choice === path)} @change=${() => act.send({ type: "teach_path", path: choice })}><span>${choice.toUpperCase()}</span></label>`)}
         </fieldset>
       </div>
-      <div class="row">
+      <div class="row" ?hidden=${mode === "blocks"}>
         <button id="teach-record" type="button" class="small" aria-pressed=${page.teach.recorded === null ? "false" : "true"} ?disabled=${!page.station?.arm} @click=${() => void act.teach.recorder.toggle()}>${page.teach.recorded === null ? t("teach.record") : t("teach.record.end", { count: page.teach.recorded })}</button>
         <button id="teach-suction-on" type="button" class="small" @click=${() => act.teach.insert({ suction: true, pause: 0.3 })}>${t("teach.suction_on")}</button>
         <button id="teach-suction-off" type="button" class="small" @click=${() => act.teach.insert({ suction: false, pause: 0.3 })}>${t("teach.suction_off")}</button>
         <button id="teach-pause" type="button" class="small" @click=${() => act.teach.insert({ pause: 1 })}>${t("teach.pause")}</button>
       </div>
       ${page.teach.recorded === null ? nothing : html`<p id="teach-recording" class="status" data-tone="warn" role="status">${t("teach.record.hint")}</p>`}
+      ${wizard(context)}
       ${modeChoice}
       ${views[mode]()}
       ${edits(context, rows)}

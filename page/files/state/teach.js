@@ -1,13 +1,19 @@
 // The program being taught: its text is the document, and all views are derived from it.
 
+import { parse } from "../vendor/smol-toml/index.js";
+
 /** @typedef {import("./types.js").Schemas} Schemas */
 /** @typedef {import("./types.js").Problem} Problem */
 /** @typedef {Schemas["ProgramReport"]} Report */
-/** @typedef {"table" | "text" | "time"} Mode */
+/** @typedef {"blocks" | "table" | "text" | "time"} Mode */
 
 /** The text that a change removed at an offset, and the text that it inserted. @typedef {{ at: number, was: string, is: string }} Change */
 
 /** @typedef {import("../stage/view.js").Pose} Pose */
+
+/** A place that the arm touched. @typedef {Schemas["RecordedPlace"]} Touched */
+
+/** What is taught from touched places. @typedef {{ kind: "point" | "tray" | "frame", name: string, places: readonly Touched[], columns: number, rows: number, layers: number, layer_mm: number }} Wizard */
 
 /** A step as it stands in the text: its lines, counted from 1, and what it says. @typedef {{ line: number, last: number, says: string }} Row */
 
@@ -29,10 +35,14 @@
  * @property {Schemas["MovingMode"]} path Path type of captured points.
  * @property {number | null} recorded How many places of a jogged path are recorded; null if none is being recorded.
  * @property {number | null} job The job that was made of it last.
+ * @property {Wizard} wizard
  */
 
+/** @type {Wizard} */
+const NO_WIZARD = { kind: "tray", name: "tray", places: [], columns: 3, rows: 4, layers: 1, layer_mm: 20 };
+
 /** @type {Teach} */
-export const NO_TEACH = { text: "", name: "program.toml", past: [], future: [], revision: 0, report: null, refused: null, chosen: null, first: 0, dragged: null, carried: null, moved: null, mode: "table", path: "movj", recorded: null, job: null };
+export const NO_TEACH = { text: "", name: "program.toml", past: [], future: [], revision: 0, report: null, refused: null, chosen: null, first: 0, dragged: null, carried: null, moved: null, mode: "table", path: "movj", recorded: null, job: null, wizard: NO_WIZARD };
 
 /** @typedef {{ type: "teach_text", text: string, chosen?: number | null, name?: string }
  * | { type: "teach_undo" }
@@ -47,6 +57,7 @@ export const NO_TEACH = { text: "", name: "program.toml", past: [], future: [], 
  * | { type: "teach_mode", mode: Mode }
  * | { type: "teach_path", path: Schemas["MovingMode"] }
  * | { type: "teach_recorded", places: number | null }
+ * | { type: "teach_wizard", set: Partial<Wizard> }
  * | { type: "teach_job", job: number }} TeachMessage */
 
 /** The most undo steps. */
@@ -149,6 +160,16 @@ export function withPlace(text, row, { x_mm, y_mm, z_mm, rotation_deg }) {
   return lines.join("\n");
 }
 
+/** The edit that teaches the place of a step again: of its named point, or of the step, whose other keys stay. @param {string} text @param {number} row @param {Schemas["Point"]} place @param {Schemas["MovingMode"]} path of a step that went nowhere @returns {Schemas["Edit"]} */
+export function retaught(text, row, place, path) {
+  const { steps, points } = /** @type {{ steps?: Record<string, any>[], points?: object }} */ (parse(text, { integersAsBigInt: "asNeeded" }));
+  const step = steps?.[row] ?? {};
+  const key = ["go", "pick", "place"].find((it) => it in step);
+  const name = key && step[key];
+  if (typeof name === "string" && points && Object.hasOwn(points, name)) return { type: "set_point", name, point: place };
+  return { type: "replace", at: row, step: key ? { ...step, [key]: place } : { go: place, path } };
+}
+
 /** Returns the change between two texts. @param {string} from @param {string} to @returns {Change} */
 export function changeOf(from, to) {
   const most = Math.min(from.length, to.length);
@@ -249,6 +270,8 @@ export function reduceTeach(teach, message) {
       return { ...teach, path: message.path };
     case "teach_recorded":
       return { ...teach, recorded: message.places };
+    case "teach_wizard":
+      return { ...teach, wizard: { ...teach.wizard, ...message.set } };
     case "teach_job":
       return { ...teach, job: message.job, refused: null };
     default:

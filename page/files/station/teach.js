@@ -1,8 +1,9 @@
 // Checks a program shortly after it changed, edits its steps, and creates jobs.
 
 import { base64 } from "../parts/base64.js";
+import { parse, stringify } from "../vendor/smol-toml/index.js";
 import { rowsIn } from "../state/selectors.js";
-import { stepOf, titled } from "../state/teach.js";
+import { retaught, stepOf, titled } from "../state/teach.js";
 import { createRecorder } from "./record.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
@@ -55,6 +56,31 @@ export function createTeach(store, http, jobs) {
     return true;
   }
 
+  /** The program of the blocks that is not in the text yet. @type {Record<string, unknown> | null} */ let unmerged = null;
+  let merging = false;
+
+  /** Puts the program of the blocks into the text, which keeps its comments. @param {Record<string, unknown>} program */
+  async function merge(program) {
+    unmerged = program;
+    if (merging) return;
+    merging = true;
+    while (unmerged) {
+      /** @type {Record<string, unknown>} */ const content = unmerged;
+      const { text, revision, name } = store.page.teach;
+      const { value, problem } = await http.ask("POST", "api/v1/programs/merge", { text, content: stringify(content) });
+      /** @type {boolean} */ const isNew = unmerged !== content;
+      if (problem) {
+        unmerged = isNew ? unmerged : null;
+        send({ type: "teach_refused", problem });
+      } else if (!isNew && store.page.teach.revision === revision) {
+        unmerged = null;
+        merging = false;
+        send({ type: "teach_text", text: titled(/** @type {Schemas["MergedProgram"]} */ (value).text, name) });
+      }
+    }
+    merging = false;
+  }
+
   /** After the selected step, or at the end. */
   function behind() {
     const rows = rowsIn(store.page.teach.text);
@@ -67,13 +93,22 @@ export function createTeach(store, http, jobs) {
     return edit([{ type: "insert", at, step }], at);
   }
 
-  /** @returns {Schemas["Point"] | null} */
+  /** The place where the arm is, as a point. */
   function here() {
     const arm = store.page.station?.arm;
     if (!arm) return null;
     const { x_mm, y_mm, z_mm, rotation_deg } = arm;
     return { x: hundredths(x_mm), y: hundredths(y_mm), z: hundredths(z_mm), rotation: hundredths(rotation_deg) };
   }
+
+  /** The place where the arm is, as a touched one. @returns {Schemas["RecordedPlace"] | null} */
+  function touched() {
+    const arm = store.page.station?.arm;
+    return arm ? { point_mm: [arm.x_mm, arm.y_mm, arm.z_mm], rotation_deg: arm.rotation_deg, suction: arm.suction, gripper_deg: arm.gripper_deg } : null;
+  }
+
+  /** The next place is touched anew. @param {boolean} isDone */
+  const done = (isDone) => void (isDone && send({ type: "teach_wizard", set: { places: [] } }));
 
   /** Runs the program as a job. @param {number} from_step @param {Schemas["Repeat"] | null} times @param {"start_job" | "step_job"} [type] */
   async function run(from_step, times, type) {
@@ -100,16 +135,41 @@ export function createTeach(store, http, jobs) {
   return {
     insert,
     recorder: createRecorder(store, insertPath),
+    here,
+    merge,
+    /** Whether the blocks are ahead of the text. */
+    isMerging: () => merging,
+    /** The schema of programs. */
+    schema: async () => (await fetch(new URL("../program.schema.json", import.meta.url))).json(),
     /** The place where the arm is, as a step. */
     capture() {
       const go = here();
       return go && insert({ go, path: store.page.teach.path });
     },
-    /** Puts the place where the arm is into the chosen step. */
+    /** Teaches the place of the chosen step again: where the arm is. */
     retake() {
-      const { chosen, path } = store.page.teach;
-      const go = here();
-      if (chosen !== null && go) void edit([{ type: "replace", at: chosen, step: { go, path } }], chosen);
+      const { chosen, path, text } = store.page.teach;
+      const place = here();
+      if (chosen !== null && place) void edit([retaught(text, chosen, place, path)], chosen);
+    },
+    /** Takes the place where the arm is as the touched one of this number. @param {number} number */
+    touch(number) {
+      const place = touched(), { places } = store.page.teach.wizard;
+      if (place) send({ type: "teach_wizard", set: { places: [...places.slice(0, number), place, ...places.slice(number + 1)] } });
+    },
+    /** Puts what was touched into the program; a new tray is visited cell by cell after the chosen step. */
+    async addTouched() {
+      const { text, chosen, wizard: { kind, name: given, places: [first, second, third], columns, rows, layers, layer_mm } } = store.page.teach;
+      const name = given.trim();
+      if (!first) return;
+      const { x, y, z } = Object.fromEntries(["x", "y", "z"].map((key, n) => [key, hundredths(first.point_mm[n] ?? 0)]));
+      if (kind === "point") return done(await edit([{ type: "set_point", name, point: { x, y, z, ...(first.rotation_deg ? { rotation: hundredths(first.rotation_deg) } : {}) } }], chosen));
+      if (!second || !third) return;
+      if (kind === "frame") return done(await edit([{ type: "set_frame", name, places: [first, second, third] }], chosen));
+      const isNew = !Object.hasOwn(/** @type {object} */ (parse(text).grids ?? {}), name);
+      const at = behind();
+      /** @type {Schemas["Edit"][]} */ const visit = isNew && text.trim() ? [{ type: "insert", at, step: { each: name, steps: [{ go: name }] } }] : [];
+      done(await edit([{ type: "set_grid", name, corners: [first, second, third], size: { columns, rows, layers, layer_mm: layers > 1 ? layer_mm : 0 } }, ...visit], isNew ? at : chosen));
     },
     remove() {
       const { chosen } = store.page.teach;

@@ -12,6 +12,11 @@ pub(crate) fn on_lines(program: &impl serde::Serialize) -> Result<DocumentMut, S
     let document = text.parse();
     let mut document: DocumentMut =
         document.map_err(|error: toml_edit::TomlError| plain(error.message()))?;
+    lay_out(&mut document);
+    Ok(document)
+}
+
+pub(super) fn lay_out(document: &mut DocumentMut) {
     for (_, item) in document.iter_mut() {
         match item {
             Item::Table(names) => inline(names),
@@ -19,7 +24,6 @@ pub(crate) fn on_lines(program: &impl serde::Serialize) -> Result<DocumentMut, S
             _ => {}
         }
     }
-    Ok(document)
 }
 
 /// A step as the table of a text.

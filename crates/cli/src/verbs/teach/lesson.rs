@@ -447,7 +447,7 @@ mod tests {
     use dobot_arm::Tool;
     use dobot_host::{PlannedFor, Rules};
     use dobot_safety::Policy;
-    use dobot_teach::Point;
+    use dobot_teach::{GridSize, Point};
 
     use super::*;
 
@@ -817,8 +817,12 @@ mod tests {
         TouchedGrid {
             name: name.to_owned(),
             corners: [corner(200.0, y), corner(220.0, y), corner(200.0, y + 30.0)],
-            columns,
-            rows: 2,
+            size: GridSize {
+                columns,
+                rows: 2,
+                layers: 1,
+                layer_mm: 0.0,
+            },
         }
     }
 

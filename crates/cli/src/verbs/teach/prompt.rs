@@ -4,7 +4,7 @@ use std::mem;
 
 use crossterm::event::KeyCode;
 use dobot_arm::Tool;
-use dobot_teach::{MountedTool, Program, RecordedPlace, Times};
+use dobot_teach::{GridSize, MountedTool, Program, RecordedPlace, Times};
 
 use super::lesson::TouchedGrid;
 
@@ -81,6 +81,11 @@ enum Question {
     Size {
         name: String,
         corners: [RecordedPlace; 3],
+    },
+    LayerPitch {
+        name: String,
+        corners: [RecordedPlace; 3],
+        size: GridSize,
     },
     Call,
 }
@@ -209,6 +214,7 @@ impl Prompt {
                 name,
                 touched: corners[..2].to_vec(),
             },
+            Question::LayerPitch { name, corners, .. } => Question::Size { name, corners },
             _ => return Outcome::Cancelled,
         };
         self.ask(before)
@@ -267,6 +273,10 @@ impl Prompt {
                 |letter| letter.is_ascii_digit() || letter == 'x',
                 "digits and x",
             ),
+            Question::LayerPitch { .. } => (
+                |letter| letter.is_ascii_digit() || letter == '.' || letter == '-',
+                "digits, . and -",
+            ),
             Question::Call => (|letter| !letter.is_control(), "letters"),
             _ => (
                 |letter| letter.is_alphanumeric() || letter == '_' || letter == '-',
@@ -297,13 +307,25 @@ impl Prompt {
                 let kind = *kind;
                 Answer::Tool(MountedTool { kind, length })
             }),
-            Question::Size { name, corners } => size(text).map(|(columns, rows)| {
-                Answer::Grid(TouchedGrid {
-                    name: name.clone(),
-                    corners: *corners,
-                    columns,
-                    rows,
-                })
+            Question::Size { name, corners } => match text.parse::<GridSize>() {
+                Ok(size) if size.layers > 1 => {
+                    let (name, corners) = (name.clone(), *corners);
+                    return self.ask(Question::LayerPitch {
+                        name,
+                        corners,
+                        size,
+                    });
+                }
+                Ok(size) => Ok(touched_grid(name, corners, size)),
+                Err(reason) => Err(reason),
+            },
+            Question::LayerPitch {
+                name,
+                corners,
+                size,
+            } => layer_mm(text).map(|layer_mm| {
+                let size = GridSize { layer_mm, ..*size };
+                touched_grid(name, corners, size)
             }),
             Question::Call if text.is_empty() => {
                 Err("the name is empty; enter the file of a program, for example lid.toml".into())
@@ -371,8 +393,13 @@ impl Prompt {
                 shape.places()[touched.len().min(2)]
             ),
             Question::Size { name, .. } => {
-                format!("grid {name}: cells in the first row x number of rows, for example 3x4:")
+                format!(
+                    "grid {name}: cells in the first row x rows, for example 3x4, or x layers: 3x4x2:"
+                )
             }
+            Question::LayerPitch { name, .. } => format!(
+                "grid {name}: from a layer to the next one, in mm upwards (-20: 20 mm down, from the top of a stack):"
+            ),
             Question::Call => "program to call, a file beside this one:".into(),
         }
     }
@@ -473,18 +500,21 @@ fn length(text: &str) -> Result<f64, String> {
     }
 }
 
-fn size(text: &str) -> Result<(u32, u32), String> {
-    let counts = text.split_once('x').map(|(columns, rows)| {
-        let count = |text: &str| {
-            text.parse()
-                .ok()
-                .filter(|count| (1..=MAX_CELLS).contains(count))
-        };
-        count(columns).zip(count(rows))
-    });
-    counts.flatten().ok_or_else(|| {
-        format!("the size is {text:?}; allowed are 1x1 to {MAX_CELLS}x{MAX_CELLS}, for example 3x4")
+fn touched_grid(name: &str, corners: &[RecordedPlace; 3], size: GridSize) -> Answer {
+    Answer::Grid(TouchedGrid {
+        name: name.to_owned(),
+        corners: *corners,
+        size,
     })
+}
+
+fn layer_mm(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(mm) if mm != 0.0 && mm.abs() <= MAX_LAYER_MM => Ok(mm),
+        _ => Err(format!(
+            "the distance is {text:?}; allowed are -{MAX_LAYER_MM} to {MAX_LAYER_MM} mm without 0"
+        )),
+    }
 }
 
 fn is_near(one: &RecordedPlace, other: &RecordedPlace) -> bool {
@@ -499,8 +529,8 @@ const MAX_LEN: usize = 40;
 const MAX_TIMES: u64 = 1_000_000;
 /// The longest tool, in mm.
 const MAX_LENGTH_MM: f64 = 200.0;
-/// The most cells of a grid in one direction.
-const MAX_CELLS: u32 = 1000;
+/// The largest distance of layers, in mm.
+const MAX_LAYER_MM: f64 = 300.0;
 /// Places of a grid or a frame are at least this far from each other, in mm.
 const NEAR_MM: f64 = 1.0;
 
@@ -620,14 +650,25 @@ mod tests {
         let grid = TouchedGrid {
             name: "tray".into(),
             corners,
-            columns: 3,
-            rows: 4,
+            size: "3x4".parse().unwrap(),
         };
         // The size that the program refused can be corrected.
         for keys in ["<<<3x4\n", "\n"] {
             let answered = Outcome::Answered(Answer::Grid(grid.clone()));
             assert_eq!(keyed(&mut it, keys), answered);
         }
+        // With layers, their distance is asked.
+        assert_eq!(keyed(&mut it, "x2\n"), Outcome::Asks);
+        assert!(matches!(keyed(&mut it, "0\n"), Outcome::Refused(_)));
+        let size = GridSize {
+            layers: 2,
+            layer_mm: -22.5,
+            ..grid.size
+        };
+        let answered = Outcome::Answered(Answer::Grid(TouchedGrid { size, ..grid }));
+        assert_eq!(keyed(&mut it, "<-22.5\n"), answered);
+        assert_eq!(keyed(&mut it, "<<<<<<"), Outcome::Asks);
+        assert_eq!(it.input(), Input::Text);
     }
 
     #[test]

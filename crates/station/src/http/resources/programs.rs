@@ -8,8 +8,8 @@ use dobot_api::{NewJob, Problem};
 use dobot_draw::ProgramFiles;
 use dobot_host::{PlannedFor, ProgramJobError, dry_run_program, program_job};
 use dobot_teach::{
-    Action, Files, Point, Program, ProgramDocument, ProgramError, ProgramForm, RecordedPlace,
-    Times, ToolState, path_steps, simplified,
+    Action, Files, Frame, Go, GridSize, Point, Program, ProgramDocument, ProgramError, ProgramForm,
+    RecordedPlace, Steps, TaughtGrid, Times, ToolState, path_steps, simplified, with_content,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -32,7 +32,7 @@ pub(crate) struct ProgramReport {
     title: String,
     /// Its steps, in execution order; the steps of a final repeat are listed once.
     steps: Vec<StepReport>,
-    /// All problems, in the order of the steps; for a text that cannot be parsed only the first.
+    /// All problems, in the order of the steps or, of a text that cannot be parsed, of its lines.
     problems: Vec<ProgramProblem>,
     /// The duration of the first pass through all steps, in seconds, from the current position of
     /// the arm; null if there are problems.
@@ -169,6 +169,30 @@ enum Edit {
         /// Its position.
         point: Point,
     },
+    /// Renames a point, also where it is used.
+    RenamePoint {
+        /// Its name.
+        name: String,
+        /// Its new name.
+        to: String,
+    },
+    /// Sets a grid from three touched corners, with a frame of its name; both may be new. A new
+    /// program visits its cells.
+    SetGrid {
+        /// Its name.
+        name: String,
+        /// The first cell, the end of the first row and the end of the first column.
+        corners: [RecordedPlace; 3],
+        /// The number of its cells.
+        size: GridSize,
+    },
+    /// Sets a frame from three touched places, which may be new.
+    SetFrame {
+        /// Its name.
+        name: String,
+        /// The origin, a place on the x axis and one on the side of the y axis.
+        places: [RecordedPlace; 3],
+    },
 }
 
 /// The text of a program.
@@ -178,6 +202,30 @@ pub(crate) struct EditedProgram {
     text: String,
     /// The number of steps.
     steps: usize,
+}
+
+/// The content of a program, to be put into a text.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct MergeProgram {
+    /// The text, with its comments and its format.
+    text: String,
+    /// The new content, as TOML; it may have problems, and keys that no program has.
+    content: String,
+}
+
+/// The text with the new content.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub(crate) struct MergedProgram {
+    /// The text.
+    text: String,
+}
+
+/// Puts the content of a program into a text.
+pub(crate) fn merge(asked: &MergeProgram) -> Result<MergedProgram, Problem> {
+    let text = with_content(&asked.text, &asked.content);
+    let text = text.map_err(|error| BAD_PROGRAM.problem(error.to_string()))?;
+    Ok(MergedProgram { text })
 }
 
 /// A program to be converted to another format.
@@ -244,13 +292,7 @@ pub(crate) fn report(program: &ProgramText, arm: &PlannedFor) -> ProgramReport {
         Ok(checked) => checked,
         Err(error) => {
             return ProgramReport {
-                problems: vec![ProgramProblem {
-                    step: None,
-                    file: error.file.clone(),
-                    line: error.line,
-                    message: error.reason,
-                    remedy: None,
-                }],
+                problems: mistakes(error),
                 ..ProgramReport::default()
             };
         }
@@ -273,6 +315,20 @@ pub(crate) fn report(program: &ProgramText, arm: &PlannedFor) -> ProgramReport {
         depends_on_answers: found.depends_on_answers,
         title: compiled.title,
     }
+}
+
+/// The mistakes of a text that is not a program.
+fn mistakes(mut error: ProgramError) -> Vec<ProgramProblem> {
+    let others = std::mem::take(&mut error.others);
+    let all = std::iter::once(error).chain(others);
+    all.map(|error| ProgramProblem {
+        step: None,
+        file: error.file,
+        line: error.line,
+        message: error.reason,
+        remedy: None,
+    })
+    .collect()
 }
 
 fn problem(found: dobot_teach::Problem) -> ProgramProblem {
@@ -343,6 +399,20 @@ pub(crate) fn edit(asked: EditProgram) -> Result<EditedProgram, Problem> {
 
 /// Starts a new program with the first edit.
 fn begin(first: Option<Edit>) -> Result<ProgramDocument, Problem> {
+    let bad = |error: ProgramError| BAD_PROGRAM.problem(error.to_string());
+    if let Some(Edit::SetGrid {
+        name,
+        corners,
+        size,
+    }) = &first
+    {
+        let visit = Action::Each(vec![name.clone()], Steps::new(vec![visit(name)]));
+        let taught = TaughtGrid::of(name, corners, *size).map_err(bad)?;
+        let mut program = Program::new(vec![visit]);
+        program.frames.insert(name.clone(), taught.frame);
+        program.grids.insert(name.clone(), taught.grid);
+        return ProgramDocument::new(&program.to_toml()).map_err(bad);
+    }
     let actions = match first {
         Some(Edit::Insert { at: 0, step }) => vec![step],
         Some(Edit::InsertPath {
@@ -357,7 +427,11 @@ fn begin(first: Option<Edit>) -> Result<ProgramDocument, Problem> {
             .problem("the text is empty; begin a new program with an edit that inserts at 0"));
     }
     let text = Program::new(actions).to_toml();
-    ProgramDocument::new(&text).map_err(|error| BAD_PROGRAM.problem(error.to_string()))
+    ProgramDocument::new(&text).map_err(bad)
+}
+
+fn visit(grid: &str) -> Action {
+    Action::Go(Go::to(grid))
 }
 
 fn apply(document: &mut ProgramDocument, edit: Edit) -> Result<(), ProgramError> {
@@ -378,6 +452,17 @@ fn apply(document: &mut ProgramDocument, edit: Edit) -> Result<(), ProgramError>
         Edit::Remove { at } => document.remove(&[at]),
         Edit::Move { from, to } => document.move_step(&[from], &[to]),
         Edit::SetPoint { name, point } => document.set_point(&name, &point),
+        Edit::RenamePoint { name, to } => document.rename_point(&name, &to),
+        Edit::SetGrid {
+            name,
+            corners,
+            size,
+        } => {
+            let taught = TaughtGrid::of(&name, &corners, size)?;
+            document.set_frame(&name, &taught.frame)?;
+            document.set_grid(&name, &taught.grid)
+        }
+        Edit::SetFrame { name, places } => document.set_frame(&name, &Frame::touched(&places)),
     }
 }
 

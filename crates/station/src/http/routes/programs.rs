@@ -14,8 +14,8 @@ use crate::http::app::App;
 use crate::http::exchange::requester::Requester;
 use crate::http::exchange::responses::{Body, JOB, RequestFailed, beside};
 use crate::http::resources::programs::{
-    self, ConvertProgram, ConvertedProgram, EditProgram, EditedProgram, NewProgram, ProgramReport,
-    ProgramText,
+    self, ConvertProgram, ConvertedProgram, EditProgram, EditedProgram, MergeProgram,
+    MergedProgram, NewProgram, ProgramReport, ProgramText,
 };
 use crate::http::route::Route;
 
@@ -43,6 +43,17 @@ pub(super) fn all() -> Vec<Route> {
         .problems(&[BAD_PROGRAM, OUT_OF_RANGE, ENDING]),
         Route::new(
             POST,
+            "/api/v1/programs/merge",
+            "Puts the content of another program into a text; unchanged keys and steps keep their comments and their \
+                format, also steps that were moved",
+            merge,
+        )
+        .brings::<Body<MergeProgram, JOB>>()
+        .example(MERGE_EXAMPLE)
+        .gives::<MergedProgram>(200, "the text, which may have problems")
+        .problems(&[BAD_PROGRAM, ENDING]),
+        Route::new(
+            POST,
             "/api/v1/programs/convert",
             "Converts a file of the vendor's software (`PlayBackPoints.xml`, `.play`) into the text of a program, or the text \
                 into such a file; reports what the target format cannot represent",
@@ -68,6 +79,8 @@ pub(super) fn all() -> Vec<Route> {
 const CHECK_EXAMPLE: &str =
     r#"{"text": "title = \"there\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"}"#;
 const EDIT_EXAMPLE: &str = r#"{"text": "[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n", "edits": [{"type": "insert", "at": 1, "step": {"suction": true, "pause": 0.5}}]}"#;
+const MERGE_EXAMPLE: &str =
+    r#"{"text": "[[steps]]\npause = 1 # a moment\n", "content": "[[steps]]\npause = 2\n"}"#;
 const CONVERT_EXAMPLE: &str =
     r#"{"text": "[[steps]]\ngo = { base = 0, rear = 40, fore = 45 }\n", "to": "xml"}"#;
 const JOB_EXAMPLE: &str = r#"{"program": {"text": "title = \"there\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"}, "times": {"count": 3}}"#;
@@ -82,6 +95,10 @@ async fn check(
 
 async fn edit(Body(asked): Body<EditProgram, JOB>) -> Result<Json<EditedProgram>, RequestFailed> {
     Ok(Json(beside(move || programs::edit(asked)).await??))
+}
+
+async fn merge(Body(asked): Body<MergeProgram, JOB>) -> Result<Json<MergedProgram>, RequestFailed> {
+    Ok(Json(beside(move || programs::merge(&asked)).await??))
 }
 
 async fn convert(

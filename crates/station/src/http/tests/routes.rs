@@ -5,8 +5,10 @@ use std::collections::BTreeSet;
 use axum::body::Body;
 use dobot_api::{Button, ClientId, News, Request};
 use dobot_wire::{Command, Dialect, JointJogAxis};
+use tower::ServiceExt;
 
 use super::Harness;
+use crate::http::resources::page::unpacked;
 use crate::sample::{notice, state};
 
 const MOVE: &str = r#"{"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "rotation_deg": 0,
@@ -297,7 +299,37 @@ async fn policy_problems_page_and_document_are_there() {
         let answer = harness.get(file.path).await;
         let found = &answer.is(200).headers["content-type"];
         assert_eq!(found, file.content_type, "{}", file.path);
-        assert_eq!(answer.body.as_bytes(), file.bytes, "{}", file.path);
+        let found = answer.body.as_bytes();
+        if file.is_gzip {
+            assert_eq!(found, unpacked(file.bytes).unwrap(), "{}", file.path);
+        } else {
+            assert_eq!(found, file.bytes, "{}", file.path);
+        }
+    }
+}
+
+#[tokio::test]
+async fn a_large_file_of_the_page_is_sent_compressed_to_a_client_that_accepts_it() {
+    let harness = Harness::near();
+    let path = "/vendor/three/three.js";
+    for (accepted, is_gzip) in [
+        ("gzip, deflate, br, zstd", true),
+        ("br, GZIP;q=0.5", true),
+        ("gzip;q=0", false),
+        ("identity", false),
+    ] {
+        let request = harness
+            .request("GET", path)
+            .header("accept-encoding", accepted)
+            .extension(harness.peer.clone())
+            .body(Body::empty());
+        let response = harness.router.clone().oneshot(request.unwrap()).await;
+        let response = response.unwrap();
+        let headers = response.headers();
+        let encoding = headers.get("content-encoding").map(|it| it.as_bytes());
+        assert_eq!(encoding, is_gzip.then_some(&b"gzip"[..]), "{accepted}");
+        assert_eq!(headers["vary"], "accept-encoding");
+        assert_eq!(headers["content-type"], "text/javascript; charset=utf-8");
     }
 }
 

@@ -1,7 +1,7 @@
 //! The names in the program: points, tools, grids and frames.
 
 use dobot_teach::{
-    Action, Frame, Go, Grid, MountedTool, Place, Point, ProgramDocument, ProgramError,
+    Action, Frame, Go, Grid, GridSize, MountedTool, Place, Point, ProgramDocument, ProgramError,
     RecordedPlace, Steps, TaughtGrid,
 };
 use dobot_wire::MovingMode;
@@ -16,8 +16,7 @@ pub(crate) struct TouchedGrid {
     pub(crate) name: String,
     /// The first cell, the end of its row and the end of its column.
     pub(crate) corners: [RecordedPlace; 3],
-    pub(crate) columns: u32,
-    pub(crate) rows: u32,
+    pub(crate) size: GridSize,
 }
 
 /// What became of a grid.
@@ -91,11 +90,10 @@ impl Lesson {
         let TouchedGrid {
             name,
             corners,
-            columns,
-            rows,
+            size,
         } = touched;
         let tips = corners.map(|corner| self.tip(&corner));
-        let taught = TaughtGrid::of(name, &tips, *columns, *rows)?;
+        let taught = TaughtGrid::of(name, &tips, *size)?;
         let set = |document: &mut ProgramDocument| {
             document.set_frame(name, &taught.frame)?;
             document.set_grid(name, &taught.grid)?;
@@ -170,8 +168,7 @@ impl Lesson {
         points: &[RecordedPlace; 3],
     ) -> Result<bool, ProgramError> {
         let tips = points.map(|point| self.tip(&point));
-        let [origin, x, y] = tips.map(|tip| Place::At(tip.point()));
-        let frame = Frame { origin, x, y };
+        let frame = Frame::touched(&tips);
         let selected = self.selected();
         let mut points_up = true;
         self.change(|document| {

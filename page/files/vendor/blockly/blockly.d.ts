@@ -1,0 +1,2 @@
+import * as Blockly from "blockly/core";
+export default Blockly;
