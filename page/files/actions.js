@@ -38,8 +38,10 @@ const isStillMoving = (problem) => problem?.type?.endsWith("/still-moving") ?? f
  * @param {import("./station/teach.js").TeachRequests} outside.teach
  * @param {import("./station/buttons.js").ButtonRequests} outside.buttons
  * @param {import("./station/look.js").LookRequests} outside.look
+ * @param {import("./station/files.js").FileRequests} outside.files
+ * @param {import("./station/alerts.js").AlertRequests} outside.alerts
  */
-export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, jobs, teach, buttons, look }) {
+export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, jobs, teach, buttons, look, files, alerts }) {
   const { send } = store;
   /** Number of stops so far, by this page or another client. */
   let stops = 0;
@@ -166,7 +168,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
 
   return {
     setName,
-    send, ask, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs, teach, buttons, look,
+    send, ask, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs, teach, buttons, look, files, alerts,
 
     /** Asks for confirmation. @param {Question} question */
     question: (question) => send({ type: "question", question }),
@@ -211,6 +213,9 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
       reader.onerror = () => read(undefined);
       reader.postMessage(file);
     },
+
+    /** Opens a stored file. @param {import("./state/files.js").StoredFile} file */
+    openStored: (file) => void files.open(file, (program) => void teach.open(program)),
 
     /** Creates a job from the drawing or its frame, and starts it. @param {Schemas["DrawingPart"]} part */
     async draw(part) {

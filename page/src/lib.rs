@@ -1,14 +1,16 @@
 //! The web page of a station, as a table of files for a program that serves them.
 //!
-//! The files need no build: browsers get exactly the content of `files/`. [`FILES`] has one row per file.
+//! Browsers get the content of `files/`; [`FILES`] has one row per file. Only the pages are changed by the build: their style
+//! sheets are joined, and the addresses of their files contain the version of the page.
 //!
 //! ```
 //! let page = dobot_page::FILES[0];
 //! assert_eq!(page.path, "/");
 //! assert_eq!(page.content_type, "text/html; charset=utf-8");
-//! assert!(page.bytes.starts_with(b"<!doctype html>"));
+//! assert!(page.content()?.starts_with(b"<!doctype html>"));
+//! # Ok::<(), std::io::Error>(())
 //! ```
 
 mod files;
 
-pub use files::{FILES, File};
+pub use files::{FILES, File, VERSION};

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from .calibration import SHEET, Calibration, Touch, calibrate
     from .recording import Recording, log
     from .served import Served, serve
+    from .stored import Files, StoredFile, files
     from .simulation import Simulation, simulate
     from .table import Table
     from .testing import assert_ink, assert_object
@@ -33,12 +34,13 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Arm", "Ask", "AsyncArm", "AsyncJog", "Button", "Calibration", "Closed", "ControlState", "Error", "Eye",
-    "Failed", "JobState", "Jog", "Joints", "Kind", "LaserState", "LinkLost", "LinkState", "Object", "Path",
-    "Paused", "Place", "Plan", "Point", "Pose", "Program", "ProgramProblem", "ProgramReport", "ProgramStep",
-    "Progress", "Question", "Recording", "Refused", "SHEET", "Served", "Simulation", "State", "Status", "Step",
-    "StopState", "Stopped", "Table", "Take", "Tool", "Touch", "World", "__version__", "aconnect", "assert_ink",
-    "assert_object", "bar", "calibrate", "calibrate_from_photo", "connect", "draw_crosses", "formats", "kinds",
-    "log", "plan", "program", "program_bar", "serve", "simulate",
+    "Failed", "Files", "JobState", "Jog", "Joints", "Kind", "LaserState", "LinkLost", "LinkState", "Object",
+    "Path", "Paused", "Place", "Plan", "Point", "Pose", "Program", "ProgramProblem", "ProgramReport",
+    "ProgramStep", "Progress", "Question", "Recording", "Refused", "SHEET", "Served", "Simulation", "State",
+    "Status", "Step", "StopState", "Stopped", "StoredFile", "Table", "Take", "Tool", "Touch", "World",
+    "__version__", "aconnect", "assert_ink", "assert_object", "bar", "calibrate", "calibrate_from_photo",
+    "connect", "draw_crosses", "files", "formats", "kinds", "log", "plan", "program", "program_bar", "serve",
+    "simulate",
 ]
 
 _LATER = {
@@ -53,6 +55,9 @@ _LATER = {
     "log": "recording",
     "Served": "served",
     "serve": "served",
+    "Files": "stored",
+    "StoredFile": "stored",
+    "files": "stored",
     "Simulation": "simulation",
     "simulate": "simulation",
     "Table": "table",

@@ -69,6 +69,9 @@ pub struct Hello {
     /// The name of the station in its fleet, if it belongs to one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fleet: Option<String>,
+    /// The version of the station's page, as in the address of its files.
+    #[serde(default)]
+    pub page: String,
     /// The dead-man time: how long a jog button stays pressed without a repeated request, in
     /// seconds.
     pub dead_man_s: f64,

@@ -11,6 +11,7 @@ mod decode;
 mod detect;
 mod doctor;
 mod draw;
+mod files;
 mod fleet;
 mod hand;
 mod jobs;
@@ -84,6 +85,7 @@ pub(crate) enum Verb {
     Stop(stop::Args),
     Watch(watch::Args),
     Jobs(jobs::Args),
+    Files(files::Args),
     Play(Box<play::Args>),
     Fleet(fleet::Args),
     Mcp(mcp::Args),
@@ -143,6 +145,7 @@ impl Verb {
             Self::Stop(args) => wait_for(stop::run(args)),
             Self::Watch(args) => wait_for(watch::run(args)),
             Self::Jobs(args) => wait_for(jobs::run(args)),
+            Self::Files(args) => wait_for(files::run(args)),
             Self::Play(args) => wait_for(play::run(*args)),
             Self::Fleet(args) => wait_for(fleet::run(args)),
             Self::Mcp(args) => wait_for(mcp::run(args)),

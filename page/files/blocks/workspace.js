@@ -3,10 +3,14 @@
 import Blockly from "../vendor/blockly/blockly.js";
 import english from "../vendor/blockly/en.js";
 import chinese from "../vendor/blockly/zh-hans.js";
+import german from "../vendor/blockly/de.js";
 import { beginBlock, blockOfProgram, kindsOf, nameOf, NAME, offersOf, PROGRAM, programOf, taken, typeIn, VALUE } from "./convert.js";
 import { ExactNumber, OfferMenu, OpenDropdown } from "./fields.js";
 import { GROUPS, groupOf, wordOf } from "./labels.js";
 import { isTable, shapeAt } from "./rows.js";
+
+/** Blockly's own texts; those of a language that is not here are English. @type {Record<string, Record<string, string>>} */
+const BLOCKLY_TEXTS = { zh: chinese, de: german };
 
 /** @typedef {import("./shapes.js").Shapes} Shapes */
 /** @typedef {import("./shapes.js").Schema} Schema */
@@ -59,7 +63,7 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
   let shown = "";
   /** Marks of the last report, to remove them. @type {string[]} */ let marked = [];
 
-  Blockly.setLocale({ ...english, ...(language === "zh" ? chinese : {}) });
+  Blockly.setLocale({ ...english, ...BLOCKLY_TEXTS[language] });
   for (const [type, kind] of kinds) defineBlock(type, kind);
   const workspace = Blockly.inject(host, {
     css: false, sounds: false, renderer: "dobot", comments: false, disable: false, collapse: true, trashcan: false, horizontalLayout: true, toolbox: toolbox(),

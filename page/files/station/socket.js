@@ -22,6 +22,12 @@ const LET_GO = { problem: { type: "/api/v1/problems/let-go", title: "the button 
 /** @type {Answer} */
 export const NO_CONNECTION = { problem: { type: "no-connection", title: "no connection", detail: "the station cannot be reached at the moment", hint: "the page reconnects automatically" } };
 
+/** The version of this page; none where its files are not from a station. */
+const PAGE = document.querySelector("meta[name=dobot-page]")?.getAttribute("content");
+
+/** Whether the station serves another version of this page. @param {string} served */
+const isStale = (served) => PAGE != null && served !== PAGE;
+
 /**
  * @param {object} outside
  * @param {Store} outside.store
@@ -81,8 +87,8 @@ export function createSocket({ store, http }) {
     resetSilence();
     const now_ms = Date.now();
     if ("hello" in message) {
-      const { client, role, version, fleet = null, person = "" } = message.hello;
-      store.send({ type: "hello", client, role, version, fleet, person, says_name: person === name, now_ms });
+      const { client, role, version, fleet = null, page = "", person = "" } = message.hello;
+      store.send({ type: "hello", client, role, version, fleet, person, says_name: person === name, is_stale: isStale(page), now_ms });
     } else if ("state" in message) {
       store.send({ type: "state", station: /** @type {Station} */ (message.state), now_ms });
     } else if ("notice" in message) {

@@ -12,6 +12,7 @@ mod decoding;
 mod defaults;
 mod doctor;
 mod drawing;
+mod files;
 #[cfg(unix)]
 mod guarding;
 #[cfg(all(unix, feature = "full"))]

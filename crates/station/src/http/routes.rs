@@ -8,6 +8,7 @@ mod arm;
 mod calibration;
 mod custom_buttons;
 mod drawings;
+mod files;
 mod fleet;
 mod jobs;
 mod learners;
@@ -75,6 +76,7 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         custom_buttons::all(),
         recordings::all(),
         drawings::all(),
+        files::all(),
         tokens::all(),
         addresses::all(),
         virtual_arm::all(),

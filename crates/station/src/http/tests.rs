@@ -11,6 +11,7 @@ mod calibrating;
 mod custom_buttons;
 mod document;
 mod drawings;
+mod files;
 mod fleet;
 mod fleet_work;
 mod learners;
@@ -110,6 +111,7 @@ impl Harness {
                 policy: folder.path().join("policy.toml"),
                 recordings: folder.path().join("recordings"),
                 buttons: folder.path().join("buttons.json"),
+                stored: folder.path().join("files"),
             },
             Some(own_virtual_arm()),
             ending,

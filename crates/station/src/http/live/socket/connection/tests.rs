@@ -87,6 +87,7 @@ impl Harness {
                     policy: "policy.toml".into(),
                     recordings: "recordings".into(),
                     buttons: "buttons.json".into(),
+                    stored: "files".into(),
                 },
                 None,
                 ending,
