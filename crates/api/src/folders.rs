@@ -116,6 +116,18 @@ impl Folders {
         self.data.join("recordings")
     }
 
+    /// The folder of stored files.
+    #[must_use]
+    pub fn files(&self) -> PathBuf {
+        self.data.join("files")
+    }
+
+    /// The file of webhooks and commands, written by the administrator.
+    #[must_use]
+    pub fn hooks(&self) -> PathBuf {
+        self.data.join("hooks.toml")
+    }
+
     /// The file of access tokens.
     #[must_use]
     pub fn tokens(&self) -> PathBuf {

@@ -11,12 +11,12 @@ use crate::make_private;
 /// # Errors
 ///
 /// The operating system's error; the previous file is unchanged.
-pub fn write_private(file: &Path, text: &str) -> io::Result<()> {
+pub fn write_private(file: &Path, content: impl AsRef<[u8]>) -> io::Result<()> {
     if let Some(folder) = file.parent() {
         make_private(folder)?;
     }
     let new = file.with_extension(format!("new-{}", std::process::id()));
-    let written = write_new(&new, text).and_then(|()| fs::rename(&new, file));
+    let written = write_new(&new, content.as_ref()).and_then(|()| fs::rename(&new, file));
     if written.is_err() {
         // The partial file is of no use; report the write error instead.
         let _ = fs::remove_file(&new);
@@ -24,13 +24,13 @@ pub fn write_private(file: &Path, text: &str) -> io::Result<()> {
     written
 }
 
-fn write_new(file: &Path, text: &str) -> io::Result<()> {
+fn write_new(file: &Path, content: &[u8]) -> io::Result<()> {
     let mut options = OpenOptions::new();
     options.write(true).create_new(true);
     #[cfg(unix)]
     std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
     let mut file = options.open(file)?;
-    file.write_all(text.as_bytes())?;
+    file.write_all(content)?;
     file.sync_all()
 }
 

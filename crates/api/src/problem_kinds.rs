@@ -88,6 +88,8 @@ kinds! {
         "No drawing has this number: it was cancelled, or replaced by later ones. Plan it again.";
     NO_SUCH_RECORDING = 404 "no-such-recording" "there is no such recording"
         "No recording has this name; the oldest are deleted when there are too many. `/api/v1/recordings` lists all of them.";
+    NO_SUCH_FILE = 404 "no-such-file" "there is no such file"
+        "No stored file has this number: it was deleted. `/api/v1/files` lists all of them.";
     NO_SUCH_TOKEN = 404 "no-such-token" "there is no such token"
         "No token has this name. `/api/v1/tokens` lists all of them.";
     NO_FLEET = 404 "no-fleet" "this station belongs to no fleet"
@@ -118,6 +120,10 @@ kinds! {
         "What can be done with a fleet job depends on its phase. The detail gives the phase and what is allowed.";
     TOKEN_TAKEN = 409 "token-taken" "another token has this name"
         "Remove the other token first, or use another name.";
+    FILE_EXISTS = 409 "file-exists" "another file has this name"
+        "A stored file with other content has this name. Repeat the request with `existing` set to `replace` or `keep_both`, or use another name.";
+    FILE_CHANGED = 409 "file-changed" "the file has changed"
+        "Somebody changed the file after it was read: another page or program. Nothing has changed now. Read it again, then repeat the change.";
     NOT_VIRTUAL = 409 "not-virtual" "the arm is not a virtual arm of this station"
         "World and faults exist only for a station's own virtual arm: `dobot up --virtual`.";
     NO_LEASE = 409 "no-lease" "this client does not have control"
@@ -200,6 +206,8 @@ kinds! {
         "The file cannot be read, an option does not suit it, or it does not fit its place. The detail says what was found and what is allowed.";
     BAD_PROGRAM = 422 "bad-program" "the program cannot run"
         "The text is not a program, or one of its steps cannot be executed. The detail says which line, what was found, and what is allowed; `POST /api/v1/programs/check` lists all errors.";
+    FILE_NAME = 422 "file-name" "no file can have this name"
+        "The detail says which names are allowed. The ending of the name decides what the file is: a drawing, a photo or a program.";
     TOKEN_NAME = 422 "token-name" "no token can have this name"
         "The detail says which names a token can have.";
     BAD_SCENE = 422 "bad-scene" "the scene is invalid"
@@ -226,6 +234,10 @@ kinds! {
         "The station is ending. The laser is off.";
     ARM_NOT_STARTED = 507 "arm-not-started" "the virtual arm cannot be started"
         "The system lacks resources for it; the detail says which.";
+    FILES_FULL = 507 "files-full" "the space for files is used up"
+        "The stored files have reached their limit. Nothing has changed. The detail says how much is left, and the hint which files are the largest.";
+    FILES_UNUSABLE = 507 "files-unusable" "the files cannot be read or written"
+        "The folder of stored files, or one of them, cannot be read or written. Nothing has changed. Free disk space, or check its permissions.";
     JOURNAL = 507 "journal" "the journal cannot be written"
         "Jobs are written to the disk before they run, and that failed. Free disk space, or check the folder's permissions.";
 }

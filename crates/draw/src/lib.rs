@@ -42,7 +42,7 @@ mod strokes;
 pub use arm::calibrated::known_paper;
 pub use arm::resume_point::{ResumePoint, ResumePointError};
 pub use dobot_geometry::CancelToken;
-pub use dobot_import::{FORMATS, Format};
+pub use dobot_import::{Contents, FORMATS, Format};
 pub use layout::clip::{Clipped, clip_to_reach};
 pub use layout::copies::Grid;
 pub use layout::frame::{FrameShape, frame};

@@ -6,9 +6,11 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
-use dobot_api::problem_kinds::TOO_MANY_CLIENTS;
-use dobot_api::{Problem, Role, StationAddress};
+use dobot_api::problem_kinds::{NO_SUCH_FILE, TOO_MANY_CLIENTS};
+use dobot_api::{News, Notice, Problem, Role, StationAddress};
 use dobot_host::{OwnVirtualArm, PlannedFor, StationHandle};
+use tokio::sync::broadcast::Receiver;
+use tokio::sync::broadcast::error::RecvError;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 use tokio::time::Instant;
 
@@ -18,6 +20,7 @@ use crate::http::access::tokens::Tokens;
 use crate::http::agents::HttpAgents;
 use crate::http::fleet_routes::learners::Learners;
 use crate::http::resources::drawings::Drawings;
+use crate::http::resources::files::{FileView, StoredFiles};
 use crate::http::resources::recordings::Recordings;
 use crate::http::serve::listen::ConnectionSlot;
 use crate::{ArmsPort, FleetPort};
@@ -41,6 +44,8 @@ pub(super) struct App {
     /// The planned drawings.
     pub(super) drawings: Drawings,
     pub(super) recordings: Recordings,
+    /// The stored drawings, photos and programs.
+    pub(super) files: StoredFiles,
     /// The tools for agents.
     pub(super) agents: HttpAgents,
     learners: Mutex<Learners>,
@@ -76,6 +81,8 @@ pub(super) struct AppFiles {
     pub(super) policy: PathBuf,
     /// The folder of the recordings.
     pub(super) recordings: PathBuf,
+    /// The folder of the stored files.
+    pub(super) stored: PathBuf,
 }
 
 impl App {
@@ -99,6 +106,7 @@ impl App {
             http_leases: HttpLeases::default(),
             drawings: Drawings::default(),
             recordings: Recordings::new(files.recordings),
+            files: StoredFiles::new(files.stored),
             agents: HttpAgents::new(reach.own),
             learners: Mutex::default(),
             fleet: OnceLock::new(),
@@ -175,6 +183,41 @@ impl App {
             if refreshed.changed().await.is_err() {
                 return;
             }
+        }
+    }
+
+    /// Makes the picture of a stored file.
+    pub(super) async fn sketch_file(self: Arc<Self>, file: FileView) {
+        let Ok(content) = self.files.content(file.file).await else {
+            return;
+        };
+        let sketch = self.drawings.sketch(file.name, content).await;
+        let sketch = sketch.map_err(|problem| problem.detail);
+        let saved = self.files.set_sketch(file.file, file.sha256, sketch).await;
+        self.report_unsaved(saved);
+    }
+
+    /// Saves the results of jobs made from stored files, until the station ends.
+    pub(super) async fn follow_jobs(self: Arc<Self>, mut notices: Receiver<Arc<Notice>>) {
+        loop {
+            let (job, phase) = match notices.recv().await.map(|notice| notice.news.clone()) {
+                Ok(News::Job { job, phase }) => (job, phase),
+                Ok(_) | Err(RecvError::Lagged(_)) => continue,
+                Err(RecvError::Closed) => return,
+            };
+            let jobs = self.handle.jobs().await.unwrap_or_default();
+            let took_s = jobs.iter().find(|view| view.job == job);
+            let took_s = took_s.and_then(|view| view.took_s);
+            self.report_unsaved(self.files.finish_job(job, phase, took_s).await);
+        }
+    }
+
+    /// Reports that something about a stored file could not be saved; it may have been deleted.
+    pub(super) fn report_unsaved(&self, saved: Result<(), Problem>) {
+        if let Err(problem) = saved
+            && problem.name() != NO_SUCH_FILE.name
+        {
+            self.handle.try_report_trouble(problem.detail);
         }
     }
 

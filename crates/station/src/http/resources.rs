@@ -1,7 +1,9 @@
 //! Resources of the API other than the arm.
 
 pub(crate) mod drawings;
+pub(crate) mod files;
 pub(crate) mod metrics;
 pub(crate) mod page;
 pub(crate) mod programs;
 pub(crate) mod recordings;
+pub(crate) mod sketch;

@@ -6,6 +6,7 @@ mod agents;
 mod arm;
 mod calibration;
 mod drawings;
+mod files;
 mod fleet;
 mod jobs;
 mod learners;
@@ -72,6 +73,7 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         programs::all(),
         recordings::all(),
         drawings::all(),
+        files::all(),
         tokens::all(),
         virtual_arm::all(),
         fleet::all(),

@@ -10,6 +10,7 @@ mod bad_input;
 mod calibrating;
 mod document;
 mod drawings;
+mod files;
 mod fleet;
 mod fleet_work;
 mod learners;
@@ -107,6 +108,7 @@ impl Harness {
             AppFiles {
                 policy: folder.path().join("policy.toml"),
                 recordings: folder.path().join("recordings"),
+                stored: folder.path().join("files"),
             },
             Some(own_virtual_arm()),
             ending,

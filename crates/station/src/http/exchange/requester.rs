@@ -10,6 +10,7 @@ use axum::http::{HeaderName, Method, StatusCode, Uri};
 use axum::response::{IntoResponse, Response};
 use dobot_api::problem_kinds::{self, BAD_POLICY, METHOD, POLICY_FILE, ProblemKind, UNKNOWN_PATH};
 use dobot_api::{NewJob, Notice, Reply, Request, Role, write_private};
+use dobot_draw::Options;
 use dobot_host::Client;
 use dobot_safety::{KeepOutEdit, Policy};
 use dobot_supervisor::{Refusal, is_plain};
@@ -78,8 +79,22 @@ impl Requester {
 
     /// Queues a job; the header Location contains its path.
     pub(crate) async fn queue(&self, job: NewJob) -> Result<Response, RequestFailed> {
+        self.queue_of_file(job, None).await
+    }
+
+    /// Queues a job made from a stored file, with the options of its drawing.
+    pub(crate) async fn queue_of_file(
+        &self,
+        job: NewJob,
+        made: Option<(u64, Option<Options>)>,
+    ) -> Result<Response, RequestFailed> {
         let key = self.key.clone();
         let reply = self.ask(Request::SubmitJob { job, key }).await?;
+        if let (Reply::Job { job }, Some((file, options))) = (&reply.0, made) {
+            let saved = self.app.files.set_job(file, job.job, options).await;
+            // The job is queued, whatever is known about its file.
+            self.app.report_unsaved(saved);
+        }
         Ok(queued(reply))
     }
 

@@ -21,6 +21,7 @@ use tokio::sync::{Semaphore, watch};
 use tokio::task::AbortHandle;
 
 use crate::http::exchange::responses::beside;
+use crate::http::resources::sketch::Sketch;
 
 /// A drawing to be planned: a file, the text in the options or both, or a test card.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
@@ -30,6 +31,13 @@ pub(crate) struct NewDrawing {
     name: Option<String>,
     /// The contents of the file, in Base64 (RFC 4648).
     file: Option<String>,
+    /// The number of a stored file, instead of a name and its contents; the options of its job are
+    /// stored with it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stored: Option<u64>,
+    /// The content of the stored file, once it is read.
+    #[serde(skip)]
+    content: Option<Vec<u8>>,
     /// The options, as those of `dobot draw`.
     options: Options,
 }
@@ -120,6 +128,8 @@ struct Kept {
 #[derive(Debug)]
 struct Drawing {
     title: String,
+    /// The stored file that it is made from, and its options.
+    stored: Option<(u64, Options)>,
     cancel: CancelToken,
     progress: watch::Receiver<Progress>,
     work: AbortHandle,
@@ -177,6 +187,7 @@ impl Drawings {
         kept.last += 1;
         let number = kept.last;
         let title = new.title();
+        let stored = new.stored.map(|file| (file, new.options.clone()));
         let cancel = CancelToken::default();
         let (sender, progress) = watch::channel(Progress::Waiting);
         let work = Work {
@@ -189,6 +200,7 @@ impl Drawings {
         let work = tokio::spawn(work.run(self.slots.clone(), sender)).abort_handle();
         let drawing = Drawing {
             title,
+            stored,
             cancel,
             progress,
             work,
@@ -237,6 +249,31 @@ impl Drawings {
         job
     }
 
+    /// Makes a small picture of a file, fitted to the paper; `None` if it has no lines.
+    ///
+    /// # Errors
+    ///
+    /// A problem if it cannot be drawn, or only in more than two minutes.
+    pub(crate) async fn sketch(
+        &self,
+        name: String,
+        content: Vec<u8>,
+    ) -> Result<Option<Sketch>, Problem> {
+        let slot = self.slots.clone().acquire_owned().await;
+        let cancel = CancelToken::default();
+        let until = cancel.clone();
+        let sketching = beside(move || {
+            // Held until planning has really ended.
+            let _slot = slot;
+            sketched(&name, content, until)
+        });
+        let sketched = tokio::time::timeout(LONGEST_PLAN, sketching).await;
+        sketched.unwrap_or_else(|_| {
+            cancel.cancel();
+            Err(too_long())
+        })?
+    }
+
     /// Deletes a drawing; a running plan is cancelled.
     ///
     /// # Errors
@@ -266,6 +303,11 @@ impl Drawings {
                 format!("poll `/api/v1/drawings/{number}` until its phase is `planned`"),
             )),
         }
+    }
+
+    /// Returns the stored file that a drawing is made from, and its options.
+    pub(crate) fn stored(&self, number: u64) -> Option<(u64, Options)> {
+        self.find(number, |drawing| drawing.stored.clone()).ok()?
     }
 
     fn find<T>(&self, number: u64, of: impl FnOnce(&Drawing) -> T) -> Result<T, Problem> {
@@ -364,12 +406,35 @@ impl NewDrawing {
         title
     }
 
-    fn subject(&self, title: &str) -> Result<Subject, Problem> {
-        let file = self
-            .file
-            .as_ref()
-            .map(|file| of_file(title, file))
-            .transpose()?;
+    /// Returns the number of the stored file that is drawn.
+    pub(crate) const fn stored(&self) -> Option<u64> {
+        self.stored
+    }
+
+    /// Adds name and content of the stored file.
+    ///
+    /// # Errors
+    ///
+    /// A problem if the request has another file.
+    pub(crate) fn read(&mut self, name: String, content: Vec<u8>) -> Result<(), Problem> {
+        if self.name.is_some() || self.file.is_some() {
+            return Err(BAD_DRAWING.problem("give either `stored`, or `name` and `file`"));
+        }
+        (self.name, self.content) = (Some(name), Some(content));
+        Ok(())
+    }
+
+    fn subject(&mut self, title: &str) -> Result<Subject, Problem> {
+        let file = match (self.content.take(), &self.file, self.stored) {
+            (Some(content), ..) => Some(of_bytes(title, content)?),
+            (None, Some(file), _) => Some(of_file(title, file)?),
+            (None, None, Some(number)) => {
+                return Err(BAD_DRAWING.problem(format!(
+                    "stored file {number} belongs to another station; send `name` and `file`"
+                )));
+            }
+            (None, None, None) => None,
+        };
         match (file, Subject::of_text(&self.options.what)) {
             (Some(file), Some(text)) => Ok(file.and(text)),
             (Some(only), None) | (None, Some(only)) => Ok(only),
@@ -384,6 +449,10 @@ impl NewDrawing {
 fn of_file(title: &str, file: &str) -> Result<Subject, Problem> {
     let bytes = data_encoding::BASE64.decode(file.as_bytes());
     let bytes = bytes.map_err(|why| BAD_DRAWING.problem(format!("the file in Base64: {why}")))?;
+    of_bytes(title, bytes)
+}
+
+fn of_bytes(title: &str, bytes: Vec<u8>) -> Result<Subject, Problem> {
     Subject::of_file(title, bytes).map_err(|why| BAD_DRAWING.problem(why.to_string()))
 }
 
@@ -409,11 +478,7 @@ impl Work {
         let planned = tokio::time::timeout(LONGEST_PLAN, planning).await;
         let planned = planned.unwrap_or_else(|_| {
             cancel.cancel();
-            let most_s = LONGEST_PLAN.as_secs();
-            Ok(Err(BAD_DRAWING.hinted(
-                format!("planning did not finish within {most_s} s, the maximum"),
-                "draw it in parts, or allow a larger tolerance",
-            )))
+            Ok(Err(too_long()))
         });
         sender.send_replace(match planned.and_then(|planned| planned) {
             Ok(planned) => Progress::Planned(Arc::new(planned)),
@@ -434,7 +499,7 @@ impl Work {
         });
     }
 
-    fn planned(self) -> Result<Planned, Problem> {
+    fn planned(mut self) -> Result<Planned, Problem> {
         let subject = self.new.subject(&self.title)?;
         let asked = DrawingRequest::new(self.new.options, subject, &Materials::built_in());
         let asked = asked.map_err(|why| bad(&why))?.until(self.cancel);
@@ -481,6 +546,26 @@ impl Work {
     }
 }
 
+fn sketched(name: &str, content: Vec<u8>, until: CancelToken) -> Result<Option<Sketch>, Problem> {
+    let subject = of_bytes(name, content)?;
+    let mut options = Options::default();
+    options.place.fit = true;
+    let asked = DrawingRequest::new(options, subject, &Materials::built_in());
+    let asked = asked.map_err(|why| bad(&why))?.until(until);
+    let (prepared, _) = asked
+        .prepare(None, WITHOUT_ARM_Z_MM)
+        .map_err(|why| bad(&why))?;
+    Ok(Sketch::of_plan(&prepared.timeline().path))
+}
+
+fn too_long() -> Problem {
+    let most_s = LONGEST_PLAN.as_secs();
+    BAD_DRAWING.hinted(
+        format!("planning did not finish within {most_s} s, the maximum"),
+        "draw it in parts, or allow a larger tolerance",
+    )
+}
+
 /// Returns the pens and materials for drawings.
 pub(crate) fn materials() -> Vec<MaterialView> {
     let all = Materials::built_in();
@@ -491,7 +576,7 @@ pub(crate) fn materials() -> Vec<MaterialView> {
     all.iter().map(view).collect()
 }
 
-fn bad(why: &OptionsError) -> Problem {
+pub(crate) fn bad(why: &OptionsError) -> Problem {
     match why.hint() {
         Some(hint) => BAD_DRAWING.hinted(why.to_string(), hint),
         None => BAD_DRAWING.problem(why.to_string()),
@@ -544,6 +629,7 @@ mod tests {
         };
         Drawing {
             title: String::new(),
+            stored: None,
             cancel: CancelToken::default(),
             progress: watch::channel(Progress::Planned(Arc::new(planned))).1,
             work: tokio::spawn(async {}).abort_handle(),

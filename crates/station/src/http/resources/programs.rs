@@ -91,6 +91,9 @@ pub(crate) struct NewProgram {
     /// The number of repetitions; by default that of the program.
     #[serde(default)]
     times: Option<Repeat>,
+    /// The number of the stored file that contains the program, for which the job is noted.
+    #[serde(default)]
+    pub(crate) stored: Option<u64>,
 }
 
 const fn first() -> usize {

@@ -9,8 +9,8 @@ use axum::http::header::LOCATION;
 use axum::response::{IntoResponse, Response};
 use dobot_api::Role;
 use dobot_api::problem_kinds::{
-    BAD_DRAWING, BAD_JOB, COMMAND, DRAWING_PHASE, ENDING, JOURNAL, MALFORMED, NO_SUCH_DRAWING,
-    OUT_OF_RANGE, POLICY, TOO_MANY,
+    BAD_DRAWING, BAD_JOB, COMMAND, DRAWING_PHASE, ENDING, FILES_UNUSABLE, JOURNAL, MALFORMED,
+    NO_SUCH_DRAWING, NO_SUCH_FILE, OUT_OF_RANGE, POLICY, TOO_MANY,
 };
 use dobot_draw::{FORMATS, Format};
 use schemars::JsonSchema;
@@ -37,7 +37,7 @@ pub(super) fn all() -> Vec<Route> {
             202,
             "the drawing is being planned; the header Location contains its path",
         )
-        .problems(&[BAD_DRAWING, TOO_MANY]),
+        .problems(&[BAD_DRAWING, TOO_MANY, NO_SUCH_FILE, FILES_UNUSABLE]),
         Route::new(
             GET,
             "/api/v1/drawings/{id}",
@@ -106,10 +106,15 @@ struct DrawingJob {
 
 async fn begin(
     requester: Requester,
-    Body(new): Body<NewDrawing, FILE>,
+    Body(mut new): Body<NewDrawing, FILE>,
 ) -> Result<Response, RequestFailed> {
     requester.check_role(Role::Queue)?;
     let app = &requester.app;
+    if let Some(file) = new.stored() {
+        new.check()?;
+        let name = app.files.view(file).await?.name;
+        new.read(name, app.files.content(file).await?)?;
+    }
     let view = app.drawings.begin(new, app.planned_for())?;
     let place = format!("/api/v1/drawings/{}", view.drawing);
     Ok((StatusCode::ACCEPTED, [(LOCATION, place)], Json(view)).into_response())
@@ -136,8 +141,14 @@ async fn submit(
     Number(drawing): Number,
     Maybe(DrawingJob { part }): Maybe<DrawingJob>,
 ) -> Result<Response, RequestFailed> {
-    let job = requester.app.drawings.job(drawing, part)?;
-    requester.queue(job).await
+    let app = &requester.app;
+    let job = app.drawings.job(drawing, part)?;
+    let made = match part {
+        DrawingPart::Whole => app.drawings.stored(drawing),
+        DrawingPart::Frame => None,
+    };
+    let made = made.map(|(file, options)| (file, Some(options)));
+    requester.queue_of_file(job, made).await
 }
 
 async fn materials() -> Json<Vec<MaterialView>> {

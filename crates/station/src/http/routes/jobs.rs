@@ -20,8 +20,9 @@ use crate::http::app::App;
 use crate::http::exchange::paging::{PAGES, Page};
 use crate::http::exchange::requester::{Requester, queued};
 use crate::http::exchange::responses::{
-    Body, JOB, Maybe, Nothing, Number, OfJob, RequestFailed, number_in_path,
+    Body, JOB, Maybe, Nothing, Number, OfJob, RequestFailed, beside, number_in_path,
 };
+use crate::http::resources::sketch::Sketch;
 use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
@@ -55,6 +56,14 @@ fn kept() -> Vec<Route> {
             path,
         )
         .gives::<JobPath>(200, "the way")
+        .problems(&[MALFORMED, NO_SUCH_JOB, BAD_JOB, JOURNAL, ENDING]),
+        Route::new(
+            GET,
+            "/api/v1/jobs/{id}/sketch",
+            "A small picture of what a job draws, or of its path; null if it does not move",
+            sketch,
+        )
+        .gives::<Option<Sketch>>(200, "the picture")
         .problems(&[MALFORMED, NO_SUCH_JOB, BAD_JOB, JOURNAL, ENDING]),
         Route::asks(
             DELETE,
@@ -304,6 +313,14 @@ async fn one(
     found
         .map(Json)
         .ok_or_else(|| Refusal::NoSuchJob(job).into())
+}
+
+async fn sketch(
+    State(app): State<Arc<App>>,
+    Number(job): Number,
+) -> Result<Json<Option<Sketch>>, RequestFailed> {
+    let path = app.handle.job_path(job).await?;
+    Ok(Json(beside(move || Sketch::of_job(&path)).await?))
 }
 
 async fn path(

@@ -97,7 +97,8 @@ async fn submit(
     Body(new): Body<NewProgram, JOB>,
 ) -> Result<Response, RequestFailed> {
     let app = requester.app.clone();
+    let made = new.stored.map(|file| (file, None));
     let job = beside(move || programs::job(&new, &app.planned_for()));
     let job = job.await??;
-    requester.queue(job).await
+    requester.queue_of_file(job, made).await
 }

@@ -116,10 +116,12 @@ pub async fn serve(web: &Web, handle: StationHandle) -> Result<Served, ServeErro
         AppFiles {
             policy: web.policy_file.clone(),
             recordings: web.folders.recordings(),
+            stored: web.folders.files(),
         },
         web.virtual_arm.clone(),
         ending,
     );
+    tokio::spawn(app.clone().follow_jobs(app.handle.notices()));
     let tls = certificate.map(|certificate| certificate.acceptor);
     Ok(Served {
         address,

@@ -83,6 +83,7 @@ fn bodies_allowed_by_the_document_are_accepted_and_others_change_nothing() {
                     // name, touches may determine nothing; some keys of a step exclude each other.
                     let reads = [
                         "/drawings",
+                        "/files",
                         "/fleet/work",
                         "/fleet/offers",
                         "/calibration/",

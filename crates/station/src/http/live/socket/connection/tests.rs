@@ -85,6 +85,7 @@ impl Harness {
                 AppFiles {
                     policy: "policy.toml".into(),
                     recordings: "recordings".into(),
+                    stored: "files".into(),
                 },
                 None,
                 ending,
