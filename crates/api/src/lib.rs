@@ -72,8 +72,8 @@ pub use remote::StationOptions;
 #[cfg(feature = "remote")]
 pub use remote::{
     CertificateTrust, ConnectError, Remote, RemoteError, SearchError, StationAddress,
-    StationAddressError, StationEvent, StationSearch, TrustError, delete, fetch, fingerprint,
-    is_station, post, running,
+    StationAddressError, StationEvent, StationSearch, TrustError, delete, fetch, fetch_bytes,
+    fingerprint, is_station, post, running,
 };
 pub use reply::Reply;
 pub use request::{Jog, Request};

@@ -27,7 +27,7 @@ use self::stream::{Bytes, open, soon};
 use crate::{FromClient, Hello, Notice, Problem, Reply, Request, State, ToClient};
 
 pub use self::address::{CertificateTrust, StationAddress, StationAddressError, fingerprint};
-pub use self::fetch::{delete, fetch, is_station, post};
+pub use self::fetch::{delete, fetch, fetch_bytes, is_station, post};
 pub use self::find::{SearchError, StationSearch, running};
 #[cfg(feature = "options")]
 pub use self::options::StationOptions;

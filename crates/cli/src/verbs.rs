@@ -10,6 +10,7 @@ mod convert;
 mod decode;
 mod detect;
 mod draw;
+mod files;
 mod fleet;
 mod hand;
 mod jobs;
@@ -80,6 +81,7 @@ pub(crate) enum Verb {
     Stop(stop::Args),
     Watch(watch::Args),
     Jobs(jobs::Args),
+    Files(files::Args),
     Play(Box<play::Args>),
     Fleet(fleet::Args),
     Mcp(mcp::Args),
@@ -137,6 +139,7 @@ impl Verb {
             Self::Stop(args) => wait_for(stop::run(args)),
             Self::Watch(args) => wait_for(watch::run(args)),
             Self::Jobs(args) => wait_for(jobs::run(args)),
+            Self::Files(args) => wait_for(files::run(args)),
             Self::Play(args) => wait_for(play::run(*args)),
             Self::Fleet(args) => wait_for(fleet::run(args)),
             Self::Mcp(args) => wait_for(mcp::run(args)),

@@ -20,6 +20,15 @@ pub async fn fetch<T: DeserializeOwned>(
     answered(address, &question(address, "GET", path, "")).await
 }
 
+/// Fetches a file from the API, such as `/api/v1/files/4/content`.
+///
+/// # Errors
+///
+/// [`ConnectError`] if the station cannot be reached or refuses.
+pub async fn fetch_bytes(address: &StationAddress, path: &str) -> Result<Vec<u8>, ConnectError> {
+    content(address, &question(address, "GET", path, "")).await
+}
+
 /// Sends a document to the API, such as a program to `/api/v1/programs/check`.
 ///
 /// # Errors
@@ -51,13 +60,21 @@ async fn answered<T: DeserializeOwned>(
     address: &StationAddress,
     question: &str,
 ) -> Result<T, ConnectError> {
-    let answer = soon(address, ask(address, question)).await?;
+    let body = content(address, question).await?;
+    let text = if body.is_empty() { b"null" } else { &*body };
+    serde_json::from_slice(text).map_err(|error| ConnectError::no_station(address, error))
+}
+
+/// Returns the body of an answer with success.
+async fn content(address: &StationAddress, question: &str) -> Result<Vec<u8>, ConnectError> {
+    let mut answer = soon(address, ask(address, question)).await?;
     let (status, body) = split(&answer).ok_or_else(|| ConnectError::no_station(address, SPEECH))?;
-    if (200..300).contains(&status) {
-        return serde_json::from_slice(body)
-            .map_err(|error| ConnectError::no_station(address, error));
+    if !(200..300).contains(&status) {
+        return Err(refused(address, status, body));
     }
-    Err(refused(address, status, body))
+    let head = answer.len() - body.len();
+    answer.drain(..head);
+    Ok(answer)
 }
 
 /// Returns whether a station answers at an address, whatever access it allows.
@@ -112,7 +129,7 @@ fn split(answer: &[u8]) -> Option<(u16, &[u8])> {
 }
 
 const SPEECH: &str = "it does not speak HTTP";
-const MAX_BYTES: u64 = 16 << 20;
+const MAX_BYTES: u64 = 32 << 20;
 
 #[cfg(test)]
 mod tests {

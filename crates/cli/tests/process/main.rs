@@ -11,6 +11,7 @@ mod datasets;
 mod decoding;
 mod defaults;
 mod drawing;
+mod files;
 #[cfg(unix)]
 mod guarding;
 #[cfg(all(unix, feature = "full"))]
