@@ -23,16 +23,17 @@ if TYPE_CHECKING:
     from .calibration import SHEET, Calibration, Touch, calibrate
     from .recording import Recording, log
     from .served import Served, serve
+    from .stored import Files, StoredFile, files
     from .simulation import Simulation, simulate
     from .table import Table
     from .testing import assert_ink, assert_object
 
 __all__ = [
-    "Arm", "Ask", "AsyncArm", "AsyncJog", "Button", "Calibration", "Closed", "Error", "Failed", "Jog", "Kind",
-    "LinkLost", "Object", "Path", "Paused", "Plan", "Point", "Program", "ProgramProblem", "ProgramReport",
+    "Arm", "Ask", "AsyncArm", "AsyncJog", "Button", "Calibration", "Closed", "Error", "Failed", "Files", "Jog",
+    "Kind", "LinkLost", "Object", "Path", "Paused", "Plan", "Point", "Program", "ProgramProblem", "ProgramReport",
     "ProgramStep", "Progress", "Question", "Recording", "Refused", "SHEET", "Served", "Simulation", "Status", "Step",
-    "Stopped", "Table", "Tool", "Touch", "World", "aconnect", "assert_ink", "assert_object", "bar", "calibrate",
-    "connect", "formats", "kinds", "log", "plan", "program", "program_bar", "serve", "simulate",
+    "Stopped", "StoredFile", "Table", "Tool", "Touch", "World", "aconnect", "assert_ink", "assert_object", "bar",
+    "calibrate", "connect", "files", "formats", "kinds", "log", "plan", "program", "program_bar", "serve", "simulate",
 ]
 
 _LATER = {
@@ -47,6 +48,9 @@ _LATER = {
     "log": "recording",
     "Served": "served",
     "serve": "served",
+    "Files": "stored",
+    "StoredFile": "stored",
+    "files": "stored",
     "Simulation": "simulation",
     "simulate": "simulation",
     "Table": "table",
