@@ -43,6 +43,7 @@ mod foxglove;
 #[cfg(not(feature = "full"))]
 #[path = "not_built/foxglove.rs"]
 mod foxglove;
+mod hooks;
 mod http;
 mod program;
 mod raw;
@@ -59,6 +60,7 @@ pub use fleet::{
     WorkCommand, work_hurdle,
 };
 pub use foxglove::{FoxglovePort, FoxglovePortError};
+pub use hooks::HooksError;
 #[cfg(feature = "proofs")]
 pub use http::{PROOF, prove};
 pub use http::{ServeError, Served, StationApi, TlsError, Token, Tokens, TokensError, Web, serve};

@@ -10,11 +10,11 @@ use dobot_session::Address;
 
 #[cfg(unix)]
 use crate::VirtualPort;
-use crate::http;
 use crate::{
-    Config, FoxglovePort, FoxglovePortError, ProgramNews, RawPort, RawPortError, ServeError,
-    Served, StationApi, Web,
+    Config, FoxglovePort, FoxglovePortError, HooksError, ProgramNews, RawPort, RawPortError,
+    ServeError, Served, StationApi, Web,
 };
+use crate::{hooks, http};
 
 /// A running station.
 #[derive(Debug)]
@@ -51,6 +51,9 @@ pub enum StartError {
         #[source]
         source: PolicyError,
     },
+    /// The hooks are invalid.
+    #[error(transparent)]
+    Hooks(#[from] HooksError),
     /// The rules cannot be started.
     #[error(transparent)]
     Host(#[from] HostError),
@@ -101,6 +104,7 @@ impl Station {
 
     async fn open(config: Config, approach: PreparedArm) -> Result<Self, StartError> {
         let policy = read_policy(&config)?;
+        let hooks = hooks::read(&config.folders.hooks())?;
         // The raw port first: if another station has it, its journal is not touched.
         let raw = match config.raw {
             Some(address) => Some(RawPort::bind(address).await?),
@@ -120,15 +124,19 @@ impl Station {
         let pty = virtual_port.map(|port| serve_pty(port, &host));
         let foxglove = foxglove.map(|port| serve_foxglove(port, &host));
         match http::serve(&web(&config, &host), host.handle().clone()).await {
-            Ok(http) => Ok(Self {
-                notes: [host.notes(), host.watchdog_reports()].concat(),
-                host,
-                http,
-                arm,
-                raw,
-                pty,
-                foxglove,
-            }),
+            Ok(http) => {
+                let page = http.url().to_owned();
+                hooks::start(hooks, host.handle().clone(), page).map_err(StartError::Thread)?;
+                Ok(Self {
+                    notes: [host.notes(), host.watchdog_reports()].concat(),
+                    host,
+                    http,
+                    arm,
+                    raw,
+                    pty,
+                    foxglove,
+                })
+            }
             Err(error) => {
                 // Report the cause, not a failed shutdown.
                 let _ = host.end().await;
