@@ -17,6 +17,7 @@ const press = createStop({ first: request, again: request, late: () => (late.hid
 const listener = stops(press);
 for (const event of ["pointerdown", "click"]) button.addEventListener(event, listener);
 listenToStop(press, ended.signal);
+performance.mark("stop works");
 
 /** Makes room for the STOP of the loaded page; a stop that is not answered is still repeated. */
 export function endEarlyStop() {

@@ -1,6 +1,7 @@
 //! The web page of a station, as a table of files for a program that serves them.
 //!
-//! The files need no build: browsers get exactly the content of `files/`. [`FILES`] has one row per file.
+//! Browsers get the content of `files/`; [`FILES`] has one row per file. Only the pages are changed by the build: their style
+//! sheets are joined, and the addresses of their files contain the version of the page.
 //!
 //! ```
 //! let page = dobot_page::FILES[0];
@@ -11,4 +12,4 @@
 
 mod files;
 
-pub use files::{FILES, File};
+pub use files::{FILES, File, VERSION};

@@ -53,7 +53,9 @@ class Traffic {
   }
 }
 
-const TYPES = { html: "text/html", css: "text/css", js: "text/javascript" };
+const TYPES = { html: "text/html", css: "text/css", js: "text/javascript", svg: "image/svg+xml" };
+/** What the station says of its own files only. */
+const OF_STATION = ["content-encoding", "transfer-encoding", "etag"];
 
 /** With FILES=disk the page is that of the folder, so that nothing has to be built after a change of it. */
 export async function serveFromDisk(context, station) {
@@ -64,7 +66,8 @@ export async function serveFromDisk(context, station) {
     const name = pathname === "/" ? "/index.html" : pathname === "/fleet" ? "/fleet/index.html" : pathname;
     const body = await readFile(new URL(`../files${name}`, import.meta.url)).catch(() => null);
     if (!body) return route.continue();
-    const headers = { ...Object.fromEntries(as), "content-type": `${TYPES[name.split(".").at(-1)] ?? "text/plain"}; charset=utf-8`, "content-length": String(body.length) };
+    const common = [...as].filter(([name]) => !OF_STATION.includes(name));
+    const headers = { ...Object.fromEntries(common), "cache-control": "no-store", "content-type": `${TYPES[name.split(".").at(-1)] ?? "text/plain"}; charset=utf-8`, "content-length": String(body.length) };
     return route.fulfill({ body, headers });
   });
 }

@@ -29,7 +29,8 @@ export async function leave(browser) {
 
 /** A visitor who has seen nothing of this browser yet. Without `webgl` there is none, and the stage is drawn in two dimensions, which costs little. */
 export async function visitor(browser, { webgl = false, ...options } = {}) {
-  const context = await browser.newContext(options);
+  // A service worker would load pages past the files of `FILES=disk`.
+  const context = await browser.newContext({ serviceWorkers: "block", ...options });
   context.setDefaultTimeout(PATIENCE_MS);
   if (!webgl) await context.addInitScript(hideWebgl);
   await context.addInitScript(countFrames);

@@ -1,6 +1,7 @@
 // Measures how long it takes from a pointer on a jog button to the packet at the arm, and from its release to the packet that
-// stops it; and what a first visit costs. `npm run latency --prefix page`.
+// stops it; and what a first and a second visit cost, also over a slow line. `npm run latency --prefix page`.
 import { moved, open, rest, takeControl } from "./bench.mjs";
+import { launch, leave, visitor } from "./browser.mjs";
 
 const PRESSES = 100;
 
@@ -17,6 +18,25 @@ const paint = await page.evaluate(async () => {
   return { first_ms: performance.getEntriesByName("first-contentful-paint")[0]?.startTime, bytes: [document, ...files].reduce((sum, it) => sum + it.transferSize, 0), files: files.length + 1 };
 });
 console.log(`first contentful paint ${paint.first_ms?.toFixed(0)} ms; ${(paint.bytes / 1e6).toFixed(2)} MB in ${paint.files} files`);
+
+/** 1.5 Mbit/s and 150 ms. */
+const LINE = { offline: false, latency: 150, downloadThroughput: 1.5e6 / 8, uploadThroughput: 1.5e6 / 8 };
+const browser = await launch();
+const slow = await (await visitor(browser)).newPage();
+const client = await slow.context().newCDPSession(slow);
+await client.send("Network.enable");
+await client.send("Network.emulateNetworkConditions", LINE);
+for (const name of ["first", "second"]) {
+  let bytes = 0;
+  const count = ({ encodedDataLength }) => (bytes += encodedDataLength);
+  client.on("Network.loadingFinished", count);
+  await slow.goto(bench.url);
+  await slow.waitForFunction(() => document.querySelector("[data-pose=x_mm]")?.textContent !== "–");
+  const [stop_ms, page_ms] = await slow.evaluate(() => [performance.getEntriesByName("stop works")[0].startTime, performance.now()]);
+  console.log(`${name} visit at 1.5 Mbit/s, 150 ms: STOP after ${(stop_ms / 1000).toFixed(1)} s, page after ${(page_ms / 1000).toFixed(1)} s, ${(bytes / 1000).toFixed(0)} kB`);
+  client.off("Network.loadingFinished", count);
+}
+await leave(browser);
 
 await takeControl(page);
 await rest(page);

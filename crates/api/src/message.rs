@@ -66,6 +66,9 @@ pub struct Hello {
     pub person: String,
     /// The version of the station.
     pub version: String,
+    /// The version of the station's page, as in the address of its files.
+    #[serde(default)]
+    pub page: String,
     /// The dead-man time: how long a jog button stays pressed without a repeated request, in
     /// seconds.
     pub dead_man_s: f64,

@@ -1,7 +1,6 @@
 // The stage: shows a `View` (see `view.js`) in two dimensions, and in three as soon as WebGL is ready. It draws only when
 // something changed and it is visible. Its only own state is the camera and the last reports.
 
-import { createScene3d } from "./scene_3d.js";
 import { createScene2d } from "./scene_2d.js";
 import { Motion } from "./motion.js";
 import { createFrameBudget } from "../parts/frame_budget.js";
@@ -9,7 +8,7 @@ import { createLimit, createRenderQuality } from "./render_quality.js";
 
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Preset} Preset */
-/** @typedef {ReturnType<typeof createScene3d>} Scene3d */
+/** @typedef {ReturnType<typeof import("./scene_3d.js").createScene3d>} Scene3d */
 /** @typedef {Scene3d | ReturnType<typeof createScene2d>} AnyScene */
 
 /** @type {readonly Preset[]} */
@@ -30,7 +29,7 @@ export function createStage(element) {
   let pace = createRenderQuality(true);
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   /** @type {View | null} */ let view = null;
-  let frame = 0, inked = 0, inSight = true, isHeld = false, hasCard = false, isFlat = false;
+  let frame = 0, inked = 0, inSight = true, isHeld = false, hasCard = false, isFlat = false, isLoading = false;
   /** @type {number | undefined} */ let waits;
   /** @type {AnyScene} */ let drawing;
   /** The scene that is being prepared. @type {Scene3d | null} */ let next3d = null;
@@ -105,7 +104,13 @@ export function createStage(element) {
   /** Prepares three dimensions while two are shown: a page that waits for shaders would not hear STOP. */
   async function raise() {
     const by = isFlat ? "nothing" : drawsBy();
-    if (by === "nothing" || next3d) return;
+    if (by === "nothing" || next3d || isLoading) return;
+    isLoading = true;
+    // Half of all that a first visit loads; without it the stage stays flat.
+    const loaded = await import("./scene_3d.js").catch(() => null);
+    isLoading = false;
+    if (!loaded || isFlat) return;
+    const { createScene3d } = loaded;
     hasCard = by === "card";
     const scene = next3d = createScene3d(element, outside, hasCard);
     scene.source.addEventListener("webglcontextlost", (event) => lost(event, scene));

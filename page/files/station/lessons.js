@@ -3,7 +3,6 @@
 
 import { begunNow, isDone, progressOf, stepNow } from "../state/learn.js";
 import { rowsOf } from "../state/teach.js";
-import { parse } from "../vendor/smol-toml/index.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {ReturnType<typeof createLessons>} Lessons */
@@ -47,7 +46,9 @@ export function createLessons(store, http) {
     next,
     /** @param {typeof import("../state/learn.js").LESSONS[number]} name */
     async open(name) {
-      const text = await (await fetch(`lessons/${name}.toml`)).text();
+      // Few visits open a lesson.
+      const { parse } = await import("../vendor/smol-toml/index.js");
+      const text = await (await fetch(new URL(`../lessons/${name}.toml`, import.meta.url))).text();
       const lesson = /** @type {import("../state/learn.js").Lesson} */ (/** @type {unknown} */ ({ ...parse(text), name }));
       send({ type: "lesson", lesson, begun: begunNow(store.page) });
     },

@@ -15,6 +15,12 @@ const NEED_CONTROL = new Set(["step", "arm_laser", "set_angles", "detect", "star
 /** @type {Answer} */
 export const NO_CONNECTION = { problem: { type: "no-connection", title: "no connection", detail: "the station cannot be reached at the moment", hint: "the page reconnects automatically" } };
 
+/** The version of this page; none where its files are not from a station. */
+const PAGE = document.querySelector("meta[name=dobot-page]")?.getAttribute("content");
+
+/** Whether the station serves another version of this page. @param {string} served */
+const isStale = (served) => PAGE != null && served !== PAGE;
+
 /**
  * @param {object} outside
  * @param {Store} outside.store
@@ -68,8 +74,8 @@ export function createSocket({ store, http }) {
     resetSilence();
     const now_ms = Date.now();
     if ("hello" in message) {
-      const { client, role, version, person = "" } = message.hello;
-      store.send({ type: "hello", client, role, version, person, says_name: person === name, now_ms });
+      const { client, role, version, page = "", person = "" } = message.hello;
+      store.send({ type: "hello", client, role, version, person, says_name: person === name, is_stale: isStale(page), now_ms });
     } else if ("state" in message) {
       store.send({ type: "state", station: /** @type {Station} */ (message.state), now_ms });
     } else if ("notice" in message) {

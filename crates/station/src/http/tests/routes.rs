@@ -313,7 +313,52 @@ async fn the_page_and_its_modules_name_nothing_that_is_not_served() {
         }
     }
     // The files of the panel for drawings: it is loaded by the page, its worker by the panel.
-    assert!(seen.contains("/preview/preview.js") && seen.contains("/preview/reader.js"));
+    for file in [
+        "preview/preview.js",
+        "preview/reader.js",
+        "stage/scene_3d.js",
+    ] {
+        let path = format!("/{}/{file}", dobot_page::VERSION);
+        assert!(seen.contains(&path), "{path}");
+    }
+}
+
+#[tokio::test]
+async fn a_second_visit_gets_only_what_has_changed_and_a_first_one_compressed_files() {
+    let harness = Harness::near();
+    let get = async |path: &str, name: &str, value: &str| {
+        let request = harness.request("GET", path).header(name, value);
+        let mut request = request.body(Body::empty()).unwrap();
+        request.extensions_mut().insert(harness.peer.clone());
+        let answer = tower::ServiceExt::oneshot(harness.router.clone(), request);
+        let (parts, body) = answer.await.unwrap().into_parts();
+        let body = axum::body::to_bytes(body, usize::MAX).await.unwrap();
+        (parts, body)
+    };
+    let page = harness.get("/").await;
+    assert_eq!(page.is(200).headers["cache-control"], "no-cache");
+    let tag = page.headers["etag"].to_str().unwrap();
+    let (again, body) = get("/", "if-none-match", tag).await;
+    assert_eq!((again.status.as_u16(), body.len()), (304, 0));
+    let (other, _) = get("/", "if-none-match", "W/\"other\"").await;
+    assert_eq!(other.status.as_u16(), 200);
+    let app = format!("/{}/app.js", dobot_page::VERSION);
+    let (kept, small) = get(&app, "accept-encoding", "br, gzip").await;
+    let keep = kept.headers["cache-control"].to_str().unwrap();
+    assert!(keep.contains("immutable"), "{keep}");
+    assert_eq!(kept.headers["content-encoding"], "gzip");
+    assert!(small.starts_with(&[0x1f, 0x8b]));
+    let (plain, large) = get(&app, "accept-encoding", "identity").await;
+    assert!(!plain.headers.contains_key("content-encoding"));
+    assert!(
+        small.len() * 2 < large.len(),
+        "{} {}",
+        small.len(),
+        large.len()
+    );
+    // What the arm reports is never kept.
+    let state = harness.get("/api/v1/state").await;
+    assert_eq!(state.headers["cache-control"], "no-store");
 }
 
 /// Returns the scripts and styles that a file refers to, resolved from its path.
@@ -322,7 +367,12 @@ fn files_in(path: &str, text: &str) -> Vec<String> {
         let named = matches!(file.rsplit_once('.'), Some((_, "js" | "css")));
         named && !file.contains([' ', '(', ':'])
     };
-    let quoted = text.split(['"', '\'', '`', '\n']).filter(ours);
+    // The service worker is at a fixed path.
+    let is_module = |file: &&str| *file != "offline.js";
+    let quoted = text
+        .split(['"', '\'', '`', '\n'])
+        .filter(ours)
+        .filter(is_module);
     let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
     quoted.map(|file| resolve(folder, file)).collect()
 }

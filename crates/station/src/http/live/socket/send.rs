@@ -120,6 +120,7 @@ fn hello(app: &App, client: &Client) -> Message {
         role: client.role(),
         person: client.person().to_owned(),
         version: env!("CARGO_PKG_VERSION").to_owned(),
+        page: dobot_page::VERSION.to_owned(),
         dead_man_s: app.handle.rules().dead_man_s,
     };
     text_message(&ToClient::Hello { hello })
