@@ -35,8 +35,10 @@ const isStillMoving = (problem) => problem?.type?.endsWith("/still-moving") ?? f
  * @param {import("./station/lessons.js").Lessons} outside.lessons
  * @param {import("./station/jobs.js").JobRequests} outside.jobs
  * @param {import("./station/teach.js").TeachRequests} outside.teach
+ * @param {import("./station/files.js").FileRequests} outside.files
+ * @param {import("./station/alerts.js").AlertRequests} outside.alerts
  */
-export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, jobs, teach }) {
+export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, jobs, teach, files, alerts }) {
   const { send } = store;
   /** Number of stops so far, by this page or another client. */
   let stops = 0;
@@ -160,7 +162,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
 
   return {
     setStudent,
-    send, ask, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs, teach,
+    send, ask, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs, teach, files, alerts,
 
     /** Asks for confirmation. @param {Question} question */
     question: (question) => send({ type: "question", question }),
@@ -205,6 +207,9 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
       reader.onerror = () => read(undefined);
       reader.postMessage(file);
     },
+
+    /** Opens a stored file. @param {import("./state/files.js").StoredFile} file */
+    openStored: (file) => void files.open(file, (program) => void teach.open(program)),
 
     /** Creates a job from the drawing or its frame, and starts it. @param {Schemas["DrawingPart"]} part */
     async draw(part) {

@@ -35,3 +35,6 @@ export function formatDuration(t, seconds) {
 
 /** Formats a duration as minutes and seconds: 9:41. @param {number} seconds */
 export const formatClock = (seconds) => `${Math.floor(Math.max(0, seconds) / 60)}:${String(Math.floor(Math.max(0, seconds) % 60)).padStart(2, "0")}`;
+
+/** Formats the size of a file. @param {number} bytes */
+export const formatSize = (bytes) => (bytes < 1e6 ? `${Math.ceil(bytes / 1e3)} kB` : `${(bytes / 1e6).toFixed(1)} MB`);

@@ -4,7 +4,8 @@ import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { player } from "../preview/preview.js";
-import { accepted, formatNames, hasSubject, isGcode, wrongField } from "../state/draw.js";
+import { GCODE, LAYERS, accepted, formatNames, hasSubject, isGcode, wrongField } from "../state/draw.js";
+import { files, theirs } from "./files.js";
 import { paperOf } from "../state/paper.js";
 import { named, startBar } from "./draw_start.js";
 import { sheet } from "./sheet.js";
@@ -13,20 +14,19 @@ import { sheet } from "./sheet.js";
 /** @typedef {import("../state/draw.js").Settings} Settings */
 
 const FONTS = /** @type {const} */ (["sans", "script", "serif", "gothic", "hand"]);
-const LAYERS = /** @type {const} */ (["nothing", "color", "group", "width"]);
-const GCODE = /** @type {const} */ (["file", "laser", "pen", "mill"]);
 /** The most warnings shown. */
 const MOST_WARNINGS = 8;
 
 /** @param {Context} context */
-export const draw = (context) => html`${subject(context)}${place(context)}${way(context)}${warnings(context)}${context.page.draw.timeline ? player(context) : nothing}${startBar(context)}`;
+export const draw = (context) => html`${subject(context)}${files(context, false)}${place(context)}${way(context)}${warnings(context)}${context.page.draw.timeline ? player(context) : nothing}${startBar(context)}`;
 
 const value = (/** @type {Event} */ event) => /** @type {HTMLInputElement} */ (event.target).value;
 const checked = (/** @type {Event} */ event) => /** @type {HTMLInputElement} */ (event.target).checked;
 
 /** @param {Context} context */
 function subject({ page, t, act }) {
-  const { what, file, text, formats } = page.draw;
+  const { what, text, formats } = page.draw;
+  const file = page.draw.file ?? page.draw.stored;
   const chosen = (/** @type {Event} */ event) => {
     const input = /** @type {HTMLInputElement} */ (event.target);
     if (input.files?.[0]) act.openFile(input.files[0]);
@@ -53,7 +53,7 @@ function subject({ page, t, act }) {
 const field = ({ page, t, act }, name, unit, placeholder) => html`
   <label><span>${t(/** @type {import("../i18n/i18n.js").TextKey} */ (`draw.${name}`))} <small>${unit}</small></span>
     <input id="draw-${name}" type="text" inputmode="decimal" autocomplete="off" placeholder=${placeholder} aria-invalid=${wrongField(page.draw.set) === name ? "true" : "false"} .value=${live(String(page.draw.set[name]))}
-      @input=${(/** @type {Event} */ event) => act.send({ type: "draw_set", set: { [name]: value(event) } })}></label>`;
+      @change=${() => act.send({ type: "draw_settled" })} @input=${(/** @type {Event} */ event) => act.send({ type: "draw_set", set: { [name]: value(event) } })}></label>`;
 
 /** @param {Context} context @param {"hatch" | "clip" | "fit"} name */
 const check = ({ page, t, act }, name) => html`
@@ -67,7 +67,12 @@ function place(context) {
   return html`
     <section class="card" aria-labelledby="draw-place">
       <h2 id="draw-place">${t("draw.place")} <small>${t("draw.place.hint")}</small></h2>
+      ${theirs(context)}
       ${sheet(context)}
+      <div class="row">
+        <button id="draw-undo" type="button" class="small" ?disabled=${!page.draw.past.length} @click=${() => act.send({ type: "draw_undo" })}>${t("teach.undo")}</button>
+        <button id="draw-redo" type="button" class="small" ?disabled=${!page.draw.future.length} @click=${() => act.send({ type: "draw_redo" })}>${t("teach.redo")}</button>
+      </div>
       <div class="fields">
         ${field(context, "x", "mm", "210")}${field(context, "y", "mm", "0")}
         ${field(context, "scale", "%", percent)}${field(context, "rotate", "°", "0")}

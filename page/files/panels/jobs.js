@@ -5,6 +5,8 @@ import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { placeFor, groupJobs } from "../state/jobs.js";
 import { problemLine } from "../views/problem.js";
 import { formatDuration } from "../i18n/i18n.js";
+import { sketchPicture } from "../parts/sketch.js";
+import { jobKey } from "../state/files.js";
 import { recordings } from "./recordings.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
@@ -36,15 +38,19 @@ function list(context) {
 function entry(context, job, waiting) {
   const { page, t } = context;
   const { refused } = page.jobs;
+  const sketch = page.files.sketches[jobKey(job.job)];
   const begun = job.phase === "running" || job.phase === "paused";
   return html`
-    <li class="entry" data-job=${job.job}>
+    <li class="entry pictured" data-job=${job.job}>
+      ${sketchPicture(sketch, t("files.picture", { name: job.title }))}
+      <div>
       <p class="head"><strong class="name">${job.title}</strong> <span class="chip" data-tone=${TONES[job.phase]}>${t(`job.${job.phase}`)}</span></p>
       ${begun ? html`<progress max="1" .value=${job.commands ? job.completed / job.commands : 0} aria-label=${t("job.progress")}></progress>` : nothing}
-      <p class="quiet">${t(`jobs.kind.${job.kind}`)} · ${t("job.count", { done: job.completed, all: job.commands })} · ${time(t, job)}</p>
+      <p class="quiet">${t(`jobs.kind.${job.kind}`)} · ${t("job.count", { done: job.completed, all: job.commands })} · ${time(t, job)}${sketch?.drawn_mm ? html` · <span class="ink">${t(job.phase === "done" ? "jobs.ink" : "jobs.to_draw", { m: (sketch.drawn_mm / 1000).toFixed(2) })}</span>` : nothing}</p>
       <p class="quiet">${t("jobs.queued_at", { time: new Date(job.created_ms).toLocaleString(page.language) })}${job.reason ? html` · <span class="reason">${job.reason}</span>` : nothing}</p>
       <div class="row">${acts(context, job, waiting)}</div>
       ${refused?.job === job.job ? html`<p class="status" data-tone="bad" role="alert">${problemLine(context, refused.problem)}</p>` : nothing}
+      </div>
     </li>`;
 }
 

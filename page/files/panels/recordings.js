@@ -5,7 +5,7 @@ import { live } from "../vendor/lit-html/directives/live.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { SPEEDS, extent } from "../state/recordings.js";
 import { problemText } from "../i18n/problem_text.js";
-import { formatClock } from "../i18n/i18n.js";
+import { formatClock, formatSize } from "../i18n/i18n.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 /** @typedef {import("../state/recordings.js").RecordingView} RecordingView */
@@ -34,13 +34,10 @@ function entry({ page, t, act }, { name, begin_ms, bytes, being_written }) {
       <div class="row">
         <button type="button" class="small" data-act="show" aria-label=${`${t("recordings.show")}: ${begin}`} @click=${() => void act.recordings.open(name)}>${t("recordings.show")}</button>
         <button type="button" class="small" data-act="save" aria-label=${`${t("recordings.save")}: ${begin}`} @click=${() => void act.recordings.save(name)}>${t("recordings.save")}</button>
-        <span class="quiet">${size(bytes)}</span>
+        <span class="quiet">${formatSize(bytes)}</span>
       </div>
     </li>`;
 }
-
-/** File size as text. @param {number} bytes */
-const size = (bytes) => (bytes < 1e6 ? `${Math.ceil(bytes / 1e3)} kB` : `${(bytes / 1e6).toFixed(1)} MB`);
 
 /** @param {Context} context */
 function player({ page, t, act }) {

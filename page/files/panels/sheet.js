@@ -79,6 +79,7 @@ export function sheet({ page, t, act }) {
   };
   const let_go = () => {
     held = null;
+    act.send({ type: "draw_settled" });
   };
   const hand = (/** @type {NonNullable<typeof held>["kind"]} */ kind) => ({ take: take(kind), move, let_go });
   return html`

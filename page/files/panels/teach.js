@@ -6,6 +6,7 @@ import { ref } from "../vendor/lit-html/directives/ref.js";
 import { blockedReason, memoize, rowsIn } from "../state/selectors.js";
 import { rowAt, stepsIn } from "../state/teach.js";
 import { ROW_PX, startRowDrag } from "../input/row_drag.js";
+import { files as storedFiles } from "./files.js";
 import { saveAs } from "../parts/download.js";
 import { sentence } from "../i18n/problem_text.js";
 import { blockedLine, problemLine } from "../views/problem.js";
@@ -57,7 +58,7 @@ export function teach(context) {
       ${problems(context, rows)}
     </section>
     ${runs(context, rows)}
-    ${files(context)}`;
+    ${files(context)}${storedFiles(context, true)}`;
 }
 
 /** @param {Context} context @param {readonly Row[]} rows */
@@ -207,6 +208,7 @@ function files({ page, t, act }) {
         <button id="teach-save" type="button" class="small" ?disabled=${!page.teach.text} @click=${save}>${t("teach.save")}</button>
         <input id="teach-file" type="file" accept=".toml,.xml,.play,.playback,text/plain" hidden aria-label=${t("teach.open")} @change=${choose}>
         <button id="teach-open" type="button" class="small" @click=${() => document.getElementById("teach-file")?.click()}>${t("teach.open")}</button>
+        <button id="teach-keep" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => act.files.keepProgram(page.teach.text, page.teach.name)}>${t("files.keep")}</button>
         <button id="teach-xml" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => void exportAs("xml")}>.xml</button>
         <button id="teach-play" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => void exportAs("play")}>.play</button>
         <button id="teach-new" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => act.send({ type: "teach_text", text: "", name: "program.toml", chosen: null })}>${t("teach.new")}</button>

@@ -9,14 +9,19 @@ import { paperOf } from "./paper.js";
 /** @typedef {{ x: string, y: string, scale: string, rotate: string, down: string }} Place The text of the fields; empty for the station's default. */
 /** @typedef {{ tool: string, speed: string, tolerance: string, layers: "nothing" | "color" | "group" | "width", gcode: "file" | "laser" | "pen" | "mill", pens: Readonly<Record<string, string>>, hatch: boolean, clip: boolean, fit: boolean, height: string, font: string }} Way */
 /** @typedef {Place & Way} Settings */
+/** @typedef {import("./files.js").StoredFile} StoredFile */
 /** Placement of a drawing: centre, scale and rotation. @typedef {{ x_mm: number, y_mm: number, scale: number, rotate_deg: number }} Lies */
 
 /**
  * @typedef {object} Draw
  * @property {"file" | "text"} what
- * @property {File | null} file
+ * @property {File | null} file A file that was chosen here.
+ * @property {StoredFile | null} stored The file as the station stores it; instead of a chosen one, or as well.
  * @property {string} text
  * @property {Settings} set
+ * @property {readonly Settings[]} past Earlier settings, the last one last.
+ * @property {readonly Settings[]} future Undone settings, the next one last.
+ * @property {string | null} changing The fields that are being changed, by one drag or while typing: one undo step.
  * @property {number} revision Revision of the drawing; results for earlier revisions are ignored.
  * @property {"nothing" | "planning" | "planned" | "failed"} phase
  * @property {number | null} drawing Its number, while the station knows it.
@@ -49,8 +54,12 @@ const NUMBERS = ["x", "y", "scale", "rotate", "down", "speed", "tolerance", "hei
 export const NO_DRAW = {
   what: "file",
   file: null,
+  stored: null,
   text: "",
   set: { x: "", y: "", scale: "", rotate: "", down: "", tool: "fineliner", speed: "", tolerance: "", layers: "nothing", gcode: "file", pens: {}, hatch: false, clip: false, fit: false, height: "", font: "sans" },
+  past: [],
+  future: [],
+  changing: null,
   revision: 0,
   phase: "nothing",
   drawing: null,
@@ -64,6 +73,13 @@ export const NO_DRAW = {
 
 /** @typedef {{ type: "draw_file", file: File }
  * | { type: "draw_text", text: string }
+ * | { type: "draw_stored", stored: StoredFile }
+ * | { type: "draw_kept", file: File, stored: StoredFile }
+ * | { type: "draw_saved", stored: StoredFile }
+ * | { type: "draw_unstored" }
+ * | { type: "draw_settled" }
+ * | { type: "draw_undo" }
+ * | { type: "draw_redo" }
  * | { type: "draw_what", what: Draw["what"] }
  * | { type: "draw_set", set: Partial<Settings> }
  * | { type: "draw_begun", revision: number, drawing: number }
@@ -81,14 +97,14 @@ const numberOf = (text) => (text.trim() === "" ? null : Number(text));
 export const withFieldNames = (t, text) => text.replace(/(?<![\w./])`?\b((?:what|place|tool|way)\.\w+)`?/g, (all, /** @type {string} */ field) => (FIELD_NAMES[field] ? `“${t(FIELD_NAMES[field])}”` : all));
 
 /** Whether the file is G-code, by its name. @param {Draw} draw */
-export const isGcode = ({ what, file, formats }) => {
+export const isGcode = ({ what, file, stored, formats }) => {
   const extensions = formats.find(({ name }) => name === "G-code")?.extensions ?? [];
-  const name = file?.name.toLowerCase() ?? "";
+  const name = (file ?? stored)?.name.toLowerCase() ?? "";
   return what === "file" && extensions.some((extension) => name.endsWith(`.${extension}`));
 };
 
 /** Whether there is something to draw. @param {Draw} draw */
-export const hasSubject = ({ what, file, text }) => (what === "file" ? file !== null : text.trim() !== "");
+export const hasSubject = ({ what, file, stored, text }) => (what === "file" ? file !== null || stored !== null : text.trim() !== "");
 
 /** The first field that holds no number. @param {Settings} set @returns {keyof Settings | null} */
 export const wrongField = (set) => NUMBERS.find((name) => Number.isNaN(numberOf(/** @type {string} */ (set[name])) ?? 0)) ?? null;
@@ -123,6 +139,47 @@ export function optionsOf(page) {
   });
 }
 
+/**
+ * The options as they are stored with a file. The height of the pen is left out: it belongs to the paper that lay there, and
+ * would be wrong for another one.
+ * @param {import("./state.js").Page} page @returns {Schemas["Options"]}
+ */
+export const storedOptions = (page) => withoutHeight(optionsOf(page));
+
+/** @param {Schemas["Options"]} options @returns {Schemas["Options"]} */
+function withoutHeight(options) {
+  const { pen_down: _, ...place } = /** @type {Record<string, unknown>} */ (options.place ?? {});
+  return /** @type {Schemas["Options"]} */ ({ ...options, place });
+}
+
+/** Whether two drawings are placed and drawn alike, as far as the page's fields tell. @param {Schemas["Options"] | null | undefined} a @param {Schemas["Options"] | null | undefined} b */
+export const sameOptions = (a, b) => a != null && b != null && JSON.stringify(settingsOf(a)) === JSON.stringify(settingsOf(b));
+
+/** The fields for stored options; those of the page for what is not stored. @param {Schemas["Options"] | null | undefined} options @returns {Settings} */
+export function settingsOf(options) {
+  const none = NO_DRAW.set;
+  if (!options) return none;
+  const { what, place, tool, way } = /** @type {Record<string, Record<string, any>>} */ (/** @type {unknown} */ (options));
+  const text = (/** @type {unknown} */ value, /** @type {number | undefined} */ usual = undefined) => (typeof value !== "number" || value === usual ? "" : String(Math.round(value * 1e4) / 1e4));
+  const [x, y] = place?.at ?? [];
+  return {
+    ...none,
+    x: text(x, MIDDLE.x_mm), y: text(y, MIDDLE.y_mm), rotate: text(place?.rotate, 0),
+    scale: place?.scale == null ? "" : text(place.scale * 100),
+    fit: place?.fit ?? false, clip: place?.clip ?? false,
+    tool: tool?.pen ?? tool?.laser ?? none.tool, speed: text(tool?.speed), tolerance: text(way?.tolerance, 0.05),
+    layers: LAYERS.find((layers) => layers === what?.layers) ?? "nothing",
+    pens: Object.fromEntries((what?.layer ?? []).map((/** @type {{ name: string, pen?: string }} */ { name, pen }) => [name, pen ?? none.tool])),
+    hatch: what?.hatch != null, gcode: GCODE.find((gcode) => gcode === what?.gcode) ?? "file",
+  };
+}
+
+/** The choices of layers; of what G-code is for. */
+export const LAYERS = /** @type {const} */ (["nothing", "color", "group", "width"]);
+export const GCODE = /** @type {const} */ (["file", "laser", "pen", "mill"]);
+/** The most undo steps. */
+const MOST_UNDO = 100;
+
 /** Placement from the fields; empty fields keep the planned values. @param {Draw} draw @returns {Lies | null} */
 export function liesOf({ set, planned }) {
   if (!planned || wrongField(set)) return null;
@@ -136,6 +193,16 @@ const liesBy = (set, { scale }) => ({
   rotate_deg: numberOf(set.rotate) ?? 0,
 });
 
+/** Nothing can be undone. @type {Pick<Draw, "past" | "future" | "changing">} */
+const UNDONE = { past: [], future: [], changing: null };
+
+/** All changes of a drag, or while a field is typed in, are one undo step. @param {Draw} draw @param {Partial<Settings>} set @returns {Pick<Draw, "past" | "future" | "changing">} */
+function undoStep(draw, set) {
+  const changing = Object.keys(set).sort().join();
+  const past = changing === draw.changing ? draw.past : [...draw.past, draw.set].slice(-MOST_UNDO);
+  return { past, future: [], changing };
+}
+
 /** @param {Draw} draw @param {Partial<Draw>} change @returns {Draw} */
 function changed(draw, change) {
   const next = { ...draw, ...change, revision: draw.revision + 1, problem: null };
@@ -147,20 +214,43 @@ function changed(draw, change) {
 export function reduceDraw(draw, message) {
   switch (message.type) {
     case "draw_file":
-      return changed(draw, { what: "file", file: message.file, planned: null, timeline: null });
+      return changed(draw, { what: "file", file: message.file, stored: null, planned: null, timeline: null, ...UNDONE });
+    case "draw_stored":
+      return changed(draw, { what: "file", file: null, stored: message.stored, set: settingsOf(message.stored.options), planned: null, timeline: null, ...UNDONE });
+    case "draw_kept": {
+      if (message.file !== draw.file || draw.stored?.file === message.stored.file) return draw;
+      // A file that was drawn before is where it was placed.
+      const set = message.stored.options && draw.past.length === 0 ? settingsOf(message.stored.options) : draw.set;
+      return changed(draw, { stored: message.stored, set });
+    }
+    case "draw_saved":
+      return message.stored.file === draw.stored?.file ? { ...draw, stored: message.stored } : draw;
+    case "draw_unstored":
+      // What was chosen here is still drawn.
+      return changed(draw, { stored: null });
+    case "draw_settled":
+      return draw.changing === null ? draw : { ...draw, changing: null };
+    case "draw_undo": {
+      const set = draw.past.at(-1);
+      return set ? changed(draw, { set, past: draw.past.slice(0, -1), future: [...draw.future, draw.set], changing: null }) : draw;
+    }
+    case "draw_redo": {
+      const set = draw.future.at(-1);
+      return set ? changed(draw, { set, past: [...draw.past, draw.set], future: draw.future.slice(0, -1), changing: null }) : draw;
+    }
     case "draw_text":
       return changed(draw, { what: "text", text: message.text });
     case "draw_what":
       return message.what === draw.what ? draw : changed(draw, { what: message.what, planned: null, timeline: null });
     case "draw_set":
-      return changed(draw, { set: { ...draw.set, ...message.set } });
+      return changed(draw, { set: { ...draw.set, ...message.set }, ...undoStep(draw, message.set) });
     case "draw_begun":
       return message.revision === draw.revision ? { ...draw, drawing: message.drawing } : draw;
     case "draw_planned":
       if (message.revision !== draw.revision) return draw;
       return { ...draw, phase: "planned", timeline: { timeline: message.timeline }, planned: { plan: message.plan, title: message.title, lies: liesBy(message.set, message.plan) } };
     case "draw_timeline":
-      return { ...draw, revision: draw.revision + 1, phase: "nothing", file: null, drawing: null, problem: null, planned: null, what: "file", timeline: { timeline: message.timeline } };
+      return { ...draw, ...UNDONE, revision: draw.revision + 1, phase: "nothing", file: null, stored: null, drawing: null, problem: null, planned: null, what: "file", timeline: { timeline: message.timeline } };
     case "draw_failed":
       return message.revision === draw.revision ? { ...draw, phase: "failed", drawing: null, problem: message.problem } : draw;
     case "draw_cancelled":

@@ -7,7 +7,7 @@
 /** @typedef {import("./state.js").Page} Page */
 
 /**
- * @typedef {{ type: "hello", client: number, role: import("./types.js").Role, version: string, person: string, says_name: boolean, now_ms: number }
+ * @typedef {{ type: "hello", client: number, role: import("./types.js").Role, version: string, person: string, says_name: boolean, is_stale: boolean, now_ms: number }
  * | { type: "state", station: Station, now_ms: number }
  * | { type: "notices", notices: readonly Notice[] }
  * | { type: "notice", notice: Notice }
@@ -42,6 +42,8 @@
  * | import("./recordings.js").RecordingsMessage
  * | import("./packets.js").PacketsMessage
  * | import("./draw.js").DrawMessage
+ * | import("./alerts.js").AlertsMessage
+ * | import("./files.js").FilesMessage
  * | import("./learn.js").LearnMessage
  * | import("./set_up.js").SetUpMessage
  * | import("./target.js").TargetMessage

@@ -1,7 +1,9 @@
 // Applies a message to the state. Pure: no clock, no document, no network.
 
+import { reduceAlerts } from "./alerts.js";
 import { reduceCalibrate } from "./calibrate.js";
 import { reduceDraw } from "./draw.js";
+import { reduceFiles } from "./files.js";
 import { reduceHistory } from "./history.js";
 import { reduceJobs } from "./jobs.js";
 import { reduceJog } from "./jog.js";
@@ -26,6 +28,8 @@ export function reduce(page, message) {
   const target = reduceTarget(next.target, message, page.station, next.station);
   const calibrate = reduceCalibrate(next.calibrate, message);
   const draw = reduceDraw(next.draw, message);
+  const alerts = reduceAlerts(next.alerts, message);
+  const files = reduceFiles(next.files, message);
   const learn = reduceLearn(next.learn, message);
   const set_up = reduceSetUp(next.set_up, message);
   const teach = reduceTeach(next.teach, message);
@@ -34,15 +38,15 @@ export function reduce(page, message) {
   const recordings = reduceRecordings(next.recordings, message);
   const packets = reducePackets(next.packets, message);
   const history = reduceHistory(next.history, message);
-  const isSame = jog === next.jog && target === next.target && calibrate === next.calibrate && draw === next.draw && learn === next.learn && set_up === next.set_up && teach === next.teach && touch_paper === next.touch_paper && jobs === next.jobs && recordings === next.recordings && packets === next.packets && history === next.history;
-  return isSame ? next : { ...next, jog, target, calibrate, draw, learn, set_up, teach, touch_paper, jobs, recordings, packets, history };
+  const isSame = jog === next.jog && target === next.target && calibrate === next.calibrate && draw === next.draw && alerts === next.alerts && files === next.files && learn === next.learn && set_up === next.set_up && teach === next.teach && touch_paper === next.touch_paper && jobs === next.jobs && recordings === next.recordings && packets === next.packets && history === next.history;
+  return isSame ? next : { ...next, jog, target, calibrate, draw, alerts, files, learn, set_up, teach, touch_paper, jobs, recordings, packets, history };
 }
 
 /** @param {Page} page @param {Message} message @returns {Page} */
 function reduceOwn(page, message) {
   switch (message.type) {
     case "hello":
-      return { ...page, connection: "open", me: message.client, role: message.role, person: message.person, says_name: message.says_name, version: message.version, received_ms: message.now_ms, now_ms: message.now_ms, around: null, planned: null };
+      return { ...page, connection: "open", me: message.client, role: message.role, person: message.person, says_name: message.says_name, is_stale: message.is_stale, version: message.version, received_ms: message.now_ms, now_ms: message.now_ms, around: null, planned: null };
     case "state":
       return { ...page, station: message.station, late_stop: page.station?.stop && !message.station.stop ? unanswered(page) : page.late_stop, received_ms: message.now_ms, now_ms: message.now_ms };
     case "notices":

@@ -1,7 +1,9 @@
 // The state of the page: one tree, changed by `reduce` alone.
 
+import { NO_ALERTS } from "./alerts.js";
 import { NO_CALIBRATE } from "./calibrate.js";
 import { NO_DRAW } from "./draw.js";
+import { NO_FILES } from "./files.js";
 import { NO_HISTORY } from "./history.js";
 import { NO_JOBS } from "./jobs.js";
 import { NO_JOG } from "./jog.js";
@@ -38,6 +40,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {string} person By which name time slots know this page.
  * @property {boolean} says_name Whether that name is the page's own; a personal token sets it to the token's name.
  * @property {string} version
+ * @property {boolean} is_stale Whether this page is another version than the one that the station serves.
  * @property {string | null} fleet The name of this station in its fleet; null without a fleet.
  * @property {Station | null} station The last state of the station.
  * @property {number} received_ms When it did, by the clock of this page.
@@ -62,7 +65,9 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {import("./touch_paper.js").TouchPaper} touch_paper
  * @property {import("./set_up.js").SetUp} set_up
  * @property {import("./calibrate.js").Calibrate} calibrate
+ * @property {import("./alerts.js").Alerts} alerts
  * @property {import("./draw.js").Draw} draw
+ * @property {import("./files.js").Files} files
  * @property {import("./learn.js").Learn} learn
  * @property {import("./jobs.js").Jobs} jobs
  * @property {import("./recordings.js").Recordings} recordings
@@ -84,6 +89,7 @@ export const begin = ({ language, theme, greeted, program }) => ({
   person: "",
   says_name: false,
   version: "",
+  is_stale: false,
   fleet: null,
   station: null,
   received_ms: 0,
@@ -108,7 +114,9 @@ export const begin = ({ language, theme, greeted, program }) => ({
   touch_paper: NO_TOUCH_PAPER,
   set_up: NO_SET_UP,
   calibrate: NO_CALIBRATE,
+  alerts: NO_ALERTS,
   draw: NO_DRAW,
+  files: NO_FILES,
   learn: NO_LEARN,
   jobs: NO_JOBS,
   recordings: NO_RECORDINGS,

@@ -10,8 +10,8 @@ import { readDrawing } from "./drawing_file.js";
 
 const PLAN_MS = 250;
 
-/** @param {Store} store @param {import("./http.js").Http} http */
-export function followDrawing(store, http) {
+/** @param {Store} store @param {import("./http.js").Http} http @param {import("./files.js").FileRequests} files */
+export function followDrawing(store, http, files) {
   const { send } = store;
   /** @type {number | undefined} */ let timer;
   let seen = store.page.draw.revision;
@@ -30,10 +30,16 @@ export function followDrawing(store, http) {
 
   /** The body of the request. @returns {Promise<{ body?: unknown, problem?: Problem }>} */
   async function body() {
-    const { page } = store;
-    const { what, file } = page.draw;
-    const options = optionsOf(page);
-    if (what === "text" || !file) return { body: { options } };
+    const { what, file } = store.page.draw;
+    if (what === "file" && file && !store.page.draw.stored) {
+      const stored = await files.stored(file);
+      if (stored) send({ type: "draw_kept", file, stored });
+    }
+    const { stored } = store.page.draw;
+    const options = optionsOf(store.page);
+    if (what === "text") return { body: { options } };
+    if (stored) return { body: { stored: stored.file, options } };
+    if (!file) return { body: { options } };
     const { content, problem } = await readDrawing(file);
     return problem ? { problem } : { body: { ...content, options } };
   }
@@ -52,10 +58,11 @@ export function followDrawing(store, http) {
 
   async function plan() {
     const { draw } = store.page;
-    const { revision } = draw;
     forgetAll(null);
     if (!hasSubject(draw) || wrongField(draw.set)) return;
+    const { revision } = draw;
     const request = await body();
+    // Once it is stored, it is planned where it was placed.
     if (!isWanted(revision)) return;
     if (request.problem) return send({ type: "draw_failed", revision, problem: request.problem });
     const { value, problem } = await http.ask("POST", "api/v1/drawings", request.body);

@@ -16,7 +16,7 @@ import { tokenForm } from "./token.js";
 const SOON_S = 300, ENDS_S = 60;
 
 /** @param {Context} context */
-export const banners = (context) => html`${locked(context)}${slot(context)}${stopped(context)}${untrusted(context)}${recording(context)}${token(context)}`;
+export const banners = (context) => html`${stale(context)}${locked(context)}${slot(context)}${stopped(context)}${untrusted(context)}${recording(context)}${token(context)}`;
 
 /** Toasts overlay the page: nothing moves under a pointer. @param {Context} context */
 export const toasts = (context) => html`${old(context)}${message(context)}${problem(context)}`;
@@ -26,6 +26,12 @@ function old({ page, t }) {
   if (!isVeryOld(page)) return nothing;
   const why = t(page.connection === "open" ? "old.silent" : "old.connecting");
   return html`<p id="old" class="banner" data-tone="warn" role="status">${t("old", { age: formatDuration(t, silence_ms(page) / 1000), why })}</p>`;
+}
+
+/** The station was updated while this page was open. @param {Context} context */
+function stale({ page, t }) {
+  if (!page.is_stale) return nothing;
+  return html`<section id="stale" class="banner" data-tone="warn" role="alert"><p>${t("stale")}</p><button id="stale-reload" type="button" @click=${() => location.reload()}>${t("stale.reload")}</button></section>`;
 }
 
 /** The arm is locked by the teacher. @param {Context} context */
