@@ -42,4 +42,6 @@ mod support;
 mod together;
 #[cfg(target_os = "linux")]
 mod touching;
+#[cfg(unix)]
+mod upgrades;
 mod worlds;

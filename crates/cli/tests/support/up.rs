@@ -40,10 +40,16 @@ impl Up {
 
     /// Another station with the data of this one, which has ended, and a virtual arm.
     pub(crate) fn again(self) -> Self {
-        Self::in_folder(self.folder, &["--virtual", "--time-factor", FAST], &[])
+        Self::with_data(self.folder)
     }
 
-    fn in_folder(folder: TempDir, arm: &[&str], arguments: &[&str]) -> Self {
+    /// A station with a virtual arm and the data in a folder.
+    pub(crate) fn with_data(folder: TempDir) -> Self {
+        Self::in_folder(folder, &["--virtual", "--time-factor", FAST], &[])
+    }
+
+    /// A station with the data in a folder.
+    pub(crate) fn in_folder(folder: TempDir, arm: &[&str], arguments: &[&str]) -> Self {
         let ports = ["--http", "127.0.0.1:0", "--raw", "127.0.0.1:0"];
         let arguments = [&["up"], arm, &ports[..], arguments].concat();
         let mut station = RunningProcess::new(command_at(folder.path(), &arguments));
