@@ -107,7 +107,7 @@ impl Core {
         })))
     }
 
-    /// Takes control, or asks its holder and waits for at most so many seconds.
+    /// Takes control, or asks its holder and waits for at most this long, in seconds.
     fn request_control(&self, patience_s: f64) -> PyResult<Pending> {
         Ok(self.begin(Operation::RequestControl(seconds("wait", patience_s)?)))
     }

@@ -173,7 +173,7 @@ impl Session {
                 // A status may be received before this thread continues.
                 let count = mailbox.count();
                 while mailbox.len() == 0 && mailbox.count() == count {
-                    self.pass(BEAT).await?;
+                    self.pass(TICK).await?;
                 }
             }
             Operation::RequestControl(patience) => self.request_control(patience).await?,
@@ -229,7 +229,7 @@ impl Session {
             if let Received::Message(status) = statuses.receive(Duration::ZERO) {
                 return Ok(status);
             }
-            self.pass(BEAT).await?;
+            self.pass(TICK).await?;
         }
     }
 
@@ -252,7 +252,7 @@ impl Session {
         Ok(known.to_string())
     }
 
-    /// Takes control if it is free; otherwise asks its holder, and waits for so long.
+    /// Takes control if it is free; otherwise asks its holder, and waits for it within a timeout.
     async fn request_control(&mut self, patience: Duration) -> Result<(), Failure> {
         let refused = match self.client.request(Request::TakeLease).await {
             Ok(_) => return Ok(()),
@@ -287,7 +287,7 @@ impl Session {
         let until = self.client.now().saturating_add(time);
         while self.client.now() < until {
             let left = until.saturating_sub(self.client.now());
-            self.pass(BEAT.min(left)).await?;
+            self.pass(TICK.min(left)).await?;
         }
         Ok(())
     }
@@ -310,7 +310,7 @@ impl Session {
         let now = self.client.now();
         self.held = Some(Held {
             jog,
-            next: now + BEAT,
+            next: now + self.hold_period(),
             until: now + at_most,
             over: None,
         });
@@ -344,9 +344,16 @@ impl Session {
         }
     }
 
+    /// Returns the period of the requests that hold a button: a third of the time after which the station
+    /// releases it.
+    fn hold_period(&self) -> Duration {
+        self.client.dead_man() / 3
+    }
+
     /// Presses the button again, or releases it at the end of its time.
     async fn beat(&mut self) {
         let now = self.client.now();
+        let period = self.hold_period();
         let Some(held) = self.held.as_mut().filter(|held| held.over.is_none()) else {
             return;
         };
@@ -362,7 +369,7 @@ impl Session {
             });
             return;
         }
-        held.next = now + BEAT;
+        held.next = now + period;
         let jog = held.jog;
         if let Err(error) = self.client.request(Request::Jog { jog }).await {
             held.over = Some(error.into());
@@ -397,8 +404,8 @@ fn check(command: &Command, dialect: Option<Dialect>) -> Result<(), Failure> {
     parsed.map(drop).map_err(problem)
 }
 
-/// The longest time that passes before a held button is looked at.
-const BEAT: Duration = Duration::from_millis(50);
+/// The longest time that passes at once, so that a held button is repeated in time.
+const TICK: Duration = Duration::from_millis(50);
 /// The maximum time of a deceleration.
 const REST: Duration = Duration::from_secs(5);
 /// The number of statuses that are kept for a slow subscriber: more than an hour.

@@ -1,6 +1,6 @@
 """Scripts written for other packages do on a virtual arm what they were written to do.
 
-Those in ``ported/`` were written anew after public scripts for pydobot and its forks, with one changed import.
+Those in ``ported/`` are rewritten from public scripts for pydobot and its forks, with one changed import.
 """
 
 from __future__ import annotations
