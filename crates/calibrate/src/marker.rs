@@ -25,30 +25,28 @@ impl Marker {
 
     /// Returns whether a cell is white; row and column count from 0 to 5, from the upper left.
     #[must_use]
-    pub fn is_white(self, row: usize, column: usize) -> bool {
+    pub fn is_white(self, row: u16, column: u16) -> bool {
         let inner = 1..=4;
-        inner.contains(&row)
-            && inner.contains(&column)
-            && CODES[usize::from(self.0)] >> (15 - 4 * (row - 1) - (column - 1)) & 1 == 1
+        let is_inner = inner.contains(&row) && inner.contains(&column);
+        is_inner && CODES[usize::from(self.0)] >> (15 - 4 * (row - 1) - (column - 1)) & 1 == 1
     }
 
-    /// Returns the marker as an SVG path to be filled with black: upper left corner and side, in mm.
+    /// Returns the marker as an SVG path filled with black: upper left corner and side, in mm.
     #[must_use]
     pub fn svg_path(self, [left, top]: [f64; 2], side_mm: f64) -> String {
-        let cell = side_mm / CELLS as f64;
+        let cell = side_mm / f64::from(CELLS);
         let mut path = String::from(r#"<path fill="black" stroke="none" d=""#);
         for row in 0..CELLS {
             let mut column = 0;
             while column < CELLS {
-                let black = (column..CELLS)
-                    .take_while(|&column| !self.is_white(row, column))
-                    .count();
-                if black > 0 {
-                    let (x, y) = (left + cell * column as f64, top + cell * row as f64);
-                    let wide = cell * black as f64;
+                let end = (column..CELLS).find(|&column| self.is_white(row, column));
+                let end = end.unwrap_or(CELLS);
+                if end > column {
+                    let [x, y] = [left + cell * f64::from(column), top + cell * f64::from(row)];
+                    let wide = cell * f64::from(end - column);
                     let _ = write!(path, "M{x:.3} {y:.3}h{wide:.3}v{cell:.3}h-{wide:.3}z");
                 }
-                column += black.max(1);
+                column = end + 1;
             }
         }
         path + r#""/>"#
@@ -71,10 +69,8 @@ pub fn markers_svg(numbers: RangeInclusive<u16>, side_mm: f64) -> Result<String,
     }
     // White around a marker is a cell wide; more makes it easier to cut out.
     let pitch = [side_mm * 5.0 / 3.0, side_mm * 5.0 / 3.0 + LABEL_MM];
-    let columns = ((PAGE_MM[0] - 2.0 * MARGIN_MM) / pitch[0]).floor();
-    let rows = ((PAGE_MM[1] - 2.0 * MARGIN_MM) / pitch[1]).floor();
-    let wanted = usize::from(last - first) + 1;
-    let room = (columns * rows) as usize;
+    let [columns, rows] = [0, 1].map(|axis| count(PAGE_MM[axis] - 2.0 * MARGIN_MM, pitch[axis]));
+    let [wanted, room] = [last - first + 1, columns * rows];
     if wanted > room {
         return Err(MarkersError::NoRoom {
             wanted,
@@ -92,10 +88,11 @@ pub fn markers_svg(numbers: RangeInclusive<u16>, side_mm: f64) -> Result<String,
         wide = wide,
         high = high
     );
-    for (index, number) in (first..=last).enumerate() {
-        let [column, row] = [index % columns as usize, index / columns as usize];
-        let left = MARGIN_MM + pitch[0] * column as f64 + (pitch[0] - side_mm) / 2.0;
-        let top = MARGIN_MM + pitch[1] * row as f64 + (pitch[0] - side_mm) / 2.0;
+    for number in first..=last {
+        let index = number - first;
+        let [column, row] = [index % columns, index / columns].map(f64::from);
+        let left = MARGIN_MM + pitch[0] * column + (pitch[0] - side_mm) / 2.0;
+        let top = MARGIN_MM + pitch[1] * row + (pitch[0] - side_mm) / 2.0;
         svg += &Marker(number).svg_path([left, top], side_mm);
         let _ = write!(
             svg,
@@ -106,6 +103,12 @@ pub fn markers_svg(numbers: RangeInclusive<u16>, side_mm: f64) -> Result<String,
     }
     svg += "</g></svg>\n";
     Ok(svg)
+}
+
+/// Returns how many pieces of a length fit.
+fn count(length_mm: f64, piece_mm: f64) -> u16 {
+    let fits = |count: &u16| f64::from(*count) * piece_mm <= length_mm;
+    (1..=1000).take_while(fits).last().unwrap_or(0)
 }
 
 /// The error returned when markers cannot be printed.
@@ -131,16 +134,16 @@ pub enum MarkersError {
     )]
     NoRoom {
         /// The number of markers asked for.
-        wanted: usize,
+        wanted: u16,
         /// The number that fits.
-        room: usize,
+        room: u16,
         /// The side.
         side_mm: f64,
     },
 }
 
 /// The cells along a side.
-const CELLS: usize = 6;
+const CELLS: u16 = 6;
 const FIRST_OBJECT: u16 = 4;
 const MIN_SIDE_MM: f64 = 8.0;
 const MAX_SIDE_MM: f64 = 100.0;

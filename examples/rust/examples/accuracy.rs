@@ -3,6 +3,7 @@
 //! Prints the table of `docs/calibration.md`, for two hundred random arms.
 
 #[path = "../../../crates/calibrate/tests/it/arms.rs"]
+#[expect(dead_code, reason = "of the module only the table is used")]
 mod arms;
 
 fn main() {

@@ -133,13 +133,13 @@ fn glare_at([x, y]: [f64; 2], [wide, high]: [f64; 2]) -> f64 {
 }
 
 /// Blurs by a normal distribution, along both axes in turn.
-fn blur(light: &mut Vec<[f64; 3]>, wide: usize, deviation_px: f64) {
+fn blur(light: &mut [[f64; 3]], wide: usize, deviation_px: f64) {
     let reach = (deviation_px * 3.0).ceil() as isize;
     let weight = |away: isize| (-(away as f64 / deviation_px).powi(2) / 2.0).exp();
     let whole: f64 = (-reach..=reach).map(weight).sum();
     let high = light.len() / wide;
     for [step_x, step_y] in [[1, 0], [0, 1]] {
-        let sharp = light.clone();
+        let sharp = light.to_vec();
         for (index, pixel) in light.iter_mut().enumerate() {
             *pixel = [0.0; 3];
             for away in -reach..=reach {

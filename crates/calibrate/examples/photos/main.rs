@@ -7,6 +7,7 @@
 
 #![expect(
     clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
     clippy::cast_sign_loss,
     clippy::cast_precision_loss,
     reason = "pixels and colours are small numbers"
@@ -87,7 +88,7 @@ fn photo(set: &str, seed: u64, size: [usize; 2]) -> Result<(Vec<u8>, Value), Box
                 .collect();
         }
         // A camera that stands still, and the same cube each time: the number of the photo is that of
-        // a frame. The sheet lies where it lay before until the frame 20, then 8 mm beside.
+        // a frame. In the second set the sheet lies 8 mm ahead and 5 mm to the left.
         "still" | "shifted" => {
             let mut once = Random::sequence(49, 7);
             camera = Camera::random(size, &mut once);

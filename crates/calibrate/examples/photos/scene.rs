@@ -104,7 +104,7 @@ impl Object {
         let cell = MARKER_MM / 6.0;
         let [down, right] = [MARKER_MM / 2.0 - x, MARKER_MM / 2.0 - y];
         let is_on = (0.0..MARKER_MM).contains(&down) && (0.0..MARKER_MM).contains(&right);
-        if is_on && !marker.is_white((down / cell) as usize, (right / cell) as usize) {
+        if is_on && !marker.is_white((down / cell) as u16, (right / cell) as u16) {
             BLACK
         } else {
             WHITE
@@ -180,7 +180,7 @@ fn is_black([x, y]: [f64; 2]) -> bool {
         let side = corners[0][0] - corners[3][0];
         let [down, right] = [corners[0][0] - x, corners[0][1] - y];
         if (0.0..side).contains(&down) && (0.0..side).contains(&right) {
-            return !marker.is_white((down / side * 6.0) as usize, (right / side * 6.0) as usize);
+            return !marker.is_white((down / side * 6.0) as u16, (right / side * 6.0) as u16);
         }
     }
     SHEET_POINTS.iter().any(|point| {

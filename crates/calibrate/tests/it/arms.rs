@@ -319,7 +319,6 @@ pub(crate) type Check = ([f64; 3], [f64; 2]);
 
 /// Returns the 25 crosses that a random arm drew up to 10 mm beside where they were wanted, and the
 /// positions at which to compare its calibration.
-#[allow(dead_code, reason = "an example uses it")]
 pub(crate) fn crosses(seed: u64) -> (Vec<Cross>, Vec<Check>) {
     let mut random = Random::sequence(43, seed);
     let arm = Arm::random(&NINE, &mut random);

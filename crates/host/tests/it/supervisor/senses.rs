@@ -52,8 +52,13 @@ fn a_camera_moves_nothing_without_control_and_never_lights_the_laser() {
     let mut station = virtual_station(Personality::Specification);
     let [anna, ben] = ["Anna", "Ben"].map(|name| station.client(name));
     station.ask(anna, Request::TakeLease).unwrap();
-    station.ask(ben, sensed(go([220.0, 30.0, 10.0]))).unwrap_err();
+    station
+        .ask(ben, sensed(go([220.0, 30.0, 10.0])))
+        .unwrap_err();
     let line = WriteVector::by(0.0, 10.0, 0.0, 20.0).burning();
     let refused = station.ask(anna, sensed(line.into())).unwrap_err();
-    assert!(refused.to_string().contains("has to be move_to"), "{refused}");
+    assert!(
+        refused.to_string().contains("has to be move_to"),
+        "{refused}"
+    );
 }

@@ -277,6 +277,11 @@ async fn every_answer_has_the_headers_that_protect_browsers() {
         assert!(policy.contains("default-src 'none'") && policy.contains("frame-ancestors 'none'"));
         assert!(!policy.contains("unsafe"), "{policy}");
         assert_eq!(answer.headers["x-content-type-options"], "nosniff");
+        let allowed = answer.headers["permissions-policy"].to_str().unwrap();
+        assert!(
+            allowed.starts_with("camera=(self), microphone=()"),
+            "{allowed}"
+        );
         assert_eq!(answer.headers["referrer-policy"], "no-referrer");
         assert_eq!(
             answer.headers["cross-origin-resource-policy"],
