@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile, readdir } from "node:fs/promises";
 import { after, afterEach, before, test } from "node:test";
-import { open, rest, takeControl } from "./bench.mjs";
+import { open, passed, rest, takeControl } from "./bench.mjs";
 
 let bench, page, traffic;
 /** What the browser refused: the page's security policy must allow all that the blocks do. */
@@ -110,24 +110,22 @@ path = "movj" # not over the cup
 
 test("a step is dragged to another place, and an undo in the page brings it back", async () => {
   await type('[[steps]]\ngo = { x = 210, y = 0, z = 40 }\n\n# slow\n[[steps]]\nspeed = { percent = 20 }\n');
+  await waitForText("# slow");
   const before = await text();
   const [go, speed] = [await blockOf("go to"), await blockOf("speed")];
   await drag({ x: speed.x + 8, y: speed.y + speed.height - 6 }, { x: go.x + 8, y: go.y + 6 });
   await page.waitForFunction(() => { const it = localStorage.getItem("dobot.program"); return it.indexOf("# slow") < it.indexOf("go ="); });
   await page.click("#teach-undo");
   await page.waitForFunction((before) => localStorage.getItem("dobot.program") === before, before);
-  await page.waitForFunction(() => {
-    const [go, speed] = ["go to", "speed"].map((word) => [...document.querySelectorAll(".blocklyBlockCanvas:not(.blocklyFlyout *) text")].find((it) => it.textContent.replaceAll("\u00a0", " ") === word)?.getBoundingClientRect().y);
-    return speed > go;
-  });
+  while ((await blockOf("speed")).y < (await blockOf("go to")).y) await passed(page, 0.1);
 });
 
 test("an edit of the text changes the blocks, and a problem marks its block", async () => {
   await type('[[steps]]\ngo = { x = 210, y = 0, z = 40 }\n[[steps]]\nrepeat = 2\n[[steps.steps]]\ngo = { x = 900, y = 0, z = 0 }\n');
   await page.waitForFunction(() => document.querySelectorAll(".is-bad").length === 1);
   assert.match(await page.textContent(".is-bad"), /900/);
-  await type('[[steps]]\npause = 3\n');
-  await blockOf("here");
+  await type('[[steps]]\npick = { x = 210, y = 0, z = 40 }\n');
+  await blockOf("pick up at");
   await page.waitForFunction(() => !document.querySelector(".is-bad"));
 });
 
