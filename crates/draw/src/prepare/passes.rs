@@ -13,7 +13,7 @@ use crate::layout::place::PlaceError;
 use crate::preparation::progress::PrepareStep;
 use crate::strokes::cutting::{inner_first, layers_inner_first};
 use crate::strokes::duplicate_lines::without_duplicates;
-use crate::strokes::hatch::hatch;
+use crate::strokes::hatch::hatch_until;
 use crate::strokes::merge::merge;
 use crate::strokes::order::order_until;
 
@@ -145,8 +145,7 @@ impl Lines {
         let (mut own, mut fills) = (std::mem::take(&mut layer.strokes), Vec::new());
         if let Some(hatching) = &settings.hatch {
             for area in &layer.areas {
-                settings.cancel.check()?;
-                fills.append(&mut hatch(area, hatching)?);
+                fills.append(&mut hatch_until(area, hatching, &settings.cancel)?);
             }
         }
         if !tool.cuts() {
