@@ -15,7 +15,8 @@ use crate::place::printable;
 ///                            speed in %
 /// ```
 ///
-/// A code counts only at the start, after the number, or right after another code; of two of a kind the last.
+/// A code counts only at the start, after the number, or right after another code; of two of a kind
+/// the last.
 #[derive(Debug, PartialEq)]
 pub(super) enum LayerCode {
     /// It is never drawn.
