@@ -5692,7 +5692,7 @@ export interface components {
             keep_order: boolean;
             /**
              * Format: uint32
-             * @description Number of attempts to shorten the pen-up travel; fewer from 10,000 strokes on
+             * @description Number of attempts to shorten the pen-up travel; fewer from 14,000 strokes on
              * @default 80000
              */
             tries: number;

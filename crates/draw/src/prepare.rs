@@ -225,7 +225,7 @@ pub enum PrepareError {
     AllCutOff,
     /// The areas cannot be hatched with these settings.
     #[error(transparent)]
-    Hatch(#[from] HatchError),
+    Hatch(HatchError),
     /// The resume point does not exist.
     #[error(transparent)]
     ResumePoint(#[from] ResumePointError),
@@ -237,6 +237,15 @@ pub enum PrepareError {
 impl From<Cancelled> for PrepareError {
     fn from(Cancelled: Cancelled) -> Self {
         Self::Cancelled
+    }
+}
+
+impl From<HatchError> for PrepareError {
+    fn from(error: HatchError) -> Self {
+        match error {
+            HatchError::Cancelled(cancelled) => cancelled.into(),
+            error => Self::Hatch(error),
+        }
     }
 }
 

@@ -41,14 +41,17 @@ impl Artwork {
         }
     }
 
-    /// Adds the content of another page. Layers of the same name, colour and speed are merged.
+    /// Adds the content of another page. Layers of the same name, colour and speed are merged, unless
+    /// there is a pause between them.
     pub fn add(&mut self, other: Self) {
         for mut layer in other.layers {
+            let paused = self.layers.iter().rposition(|layer| layer.pause.is_some());
             let same = |existing: &&mut Layer| {
                 let pen = |layer: &Layer| (layer.color, layer.speed_mm_s, layer.is_burned);
                 existing.name == layer.name && pen(existing) == pen(&layer)
             };
-            match self.layers.iter_mut().find(same) {
+            let since = self.layers.iter_mut().skip(paused.unwrap_or_default());
+            match since.filter(|_| layer.pause.is_none()).find(same) {
                 Some(same) => {
                     same.strokes.append(&mut layer.strokes);
                     same.areas.append(&mut layer.areas);
@@ -66,10 +69,13 @@ pub struct Layer {
     pub name: String,
     /// The colour (red, green, blue), if the file specifies one.
     pub color: Option<[u8; 3]>,
-    /// The speed in mm/s, if the file specifies one (F of G-code, VS of HP-GL).
+    /// The speed in mm/s, if the file specifies one (F of G-code, VS of HP-GL,
+    /// +S of `AxiDraw`).
     pub speed_mm_s: Option<f64>,
     /// Whether the speed is that of a laser.
     pub is_burned: bool,
+    /// The label of the group before which the arm pauses for a person (! of `AxiDraw`).
+    pub pause: Option<String>,
     /// The lines to draw.
     pub strokes: Vec<Stroke>,
     /// The areas to fill; hatching converts them to lines.

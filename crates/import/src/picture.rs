@@ -95,8 +95,9 @@ fn toned(
 ) -> Result<(Header, Tone), SourceError> {
     let (shading, cancel) = (&options.shading, &options.cancel);
     let paper = if shading.invert { 0 } else { 255 };
-    let (header, grey) = pixels(bytes, paper)?;
+    let pixels = pixels(bytes, paper, cancel);
     cancel.check()?;
+    let (header, grey) = pixels?;
     let page = header.stored_page();
     let cells = |mm: f64| tone::cell((CELLS * mm / spacing_mm).ceil(), MAX_CELLS).max(2);
     let tone = resample::resample(

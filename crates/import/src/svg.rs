@@ -13,6 +13,7 @@ mod foreign_text;
 mod groups;
 mod handles;
 mod ink;
+mod layer_code;
 mod layers;
 mod letters;
 mod mask;
@@ -41,7 +42,7 @@ use usvg::{FontResolver, ImageHrefResolver, ImageKind, Tree};
 use self::check::Damage;
 use self::css::{Found, Styles};
 pub(crate) use self::font::SvgFont;
-use self::groups::Groups;
+use self::groups::{Groups, LayerGroup, has_controls};
 use self::page::SvgPage;
 use self::points::lone_coordinates;
 use self::readable::Readable;
@@ -278,14 +279,14 @@ fn count<T>(counter: &AtomicUsize) -> Option<T> {
     None
 }
 
-/// The tree of shapes, the names of its outermost groups if they are layers, and facts about the
+/// The tree of shapes, its groups that make layers, and facts about the
 /// file, which is an image in another one if `depth` is above 0.
 fn parse(
     text: &str,
     options: &ReadOptions,
     tree_warnings: &TreeWarnings<'_>,
     depth: u32,
-) -> Result<(Tree, HashMap<String, String>, FileFacts), SourceError> {
+) -> Result<(Tree, HashMap<String, LayerGroup>, FileFacts), SourceError> {
     if text.trim().is_empty() {
         return Err(SvgError::EmptyFile.into());
     }
@@ -346,7 +347,7 @@ fn tree_of(
     options: &ReadOptions,
     tree_warnings: &TreeWarnings<'_>,
     depth: u32,
-) -> Result<(Tree, HashMap<String, String>), SourceError> {
+) -> Result<(Tree, HashMap<String, LayerGroup>), SourceError> {
     let segments = check::segments(&doc, &mut Budget::until(MAX_SEGMENTS, &options.cancel))?;
     tree_warnings.spend_elements(expand::check(&doc, &segments)?)?;
     tree_warnings.note_unread(&doc);
@@ -358,13 +359,14 @@ fn tree_of(
         image_href_resolver: tree_warnings.image_resolver(options, depth),
         ..usvg::Options::default()
     };
-    if options.layers != LayersBy::Group {
+    let outermost_are_layers = options.layers == LayersBy::Group;
+    if !outermost_are_layers && !has_controls(&doc) {
         let tree = Tree::from_xmltree(&doc, &usvg_options).map_err(|error| unreadable(&error));
         // A cancelled image is none.
         options.cancel.check()?;
         return Ok((tree?, HashMap::new()));
     }
-    let Groups { names, text } = Groups::new(&doc, text);
+    let Groups { by_id, text } = Groups::new(&doc, text, outermost_are_layers);
     let tree = match text {
         Cow::Borrowed(_) => Tree::from_xmltree(&doc, &usvg_options),
         Cow::Owned(text) => {
@@ -374,7 +376,7 @@ fn tree_of(
         }
     };
     options.cancel.check()?;
-    Ok((tree.map_err(|error| unreadable(&error))?, names))
+    Ok((tree.map_err(|error| unreadable(&error))?, by_id))
 }
 
 /// The counts, each kind once.

@@ -14,10 +14,7 @@ pub(super) fn chosen(
     layers: Vec<Layer>,
     settings: &Settings,
 ) -> Result<(Vec<Layer>, Vec<Layer>), PrepareError> {
-    let layers: Vec<Layer> = layers
-        .into_iter()
-        .filter(|layer| !layer.is_empty())
-        .collect();
+    let layers = not_empty(layers);
     let is_layer = |name: &str| layers.iter().any(|layer| layer.name == name);
     let only: Vec<&str> = settings
         .only
@@ -49,6 +46,20 @@ pub(super) fn chosen(
     Ok((layers(chosen), layers(left_out)))
 }
 
+/// Returns the layers with lines or areas. A pause before an empty one is made before the next.
+fn not_empty(layers: Vec<Layer>) -> Vec<Layer> {
+    let mut pause = None;
+    let layers = layers.into_iter().filter_map(|mut layer| {
+        pause = layer.pause.take().or(pause.take());
+        if layer.is_empty() {
+            return None;
+        }
+        layer.pause = pause.take();
+        Some(layer)
+    });
+    layers.collect()
+}
+
 /// Quotes a name for a comma-separated list.
 fn quoted(name: &str) -> String {
     if name.contains(',') {
@@ -67,12 +78,13 @@ fn names(asked: &str, is_layer: impl Fn(&str) -> bool) -> Vec<&str> {
     }
 }
 
-/// Merges neighbouring layers of the same speed; common names and colours are kept.
+/// Merges neighbouring layers of the same speed without a pause between them; common names and
+/// colours are kept.
 fn merged(layers: Vec<Layer>) -> Vec<Layer> {
     let mut merged: Vec<Layer> = Vec::new();
     for mut layer in layers {
         match merged.last_mut() {
-            Some(last) if last.speed_mm_s == layer.speed_mm_s => {
+            Some(last) if last.speed_mm_s == layer.speed_mm_s && layer.pause.is_none() => {
                 last.strokes.append(&mut layer.strokes);
                 last.areas.append(&mut layer.areas);
                 last.color = last.color.filter(|color| layer.color == Some(*color));
@@ -119,14 +131,22 @@ pub(super) fn unhatched(layers: &[Layer], settings: &Settings) -> Option<Warning
 }
 
 /// Returns the message to the person before a layer: the pen is changed between layers that are
-/// drawn separately. A laser needs no change.
+/// drawn separately, and a file may ask for a pause. A laser needs no change.
 pub(super) fn message(layer: &Layer, before: Option<&Pass>, settings: &Settings) -> Option<String> {
     let changes = settings.layers.is_some() && !settings.tool.burns();
-    let before = before.filter(|before| changes && before.name != layer.name)?;
-    Some(format!(
-        "put in the pen for {}; that of {} is done",
-        layer.name, before.name
-    ))
+    let before = before.filter(|before| changes && before.name != layer.name);
+    let change = before.map(|before| {
+        format!(
+            "put in the pen for {}; that of {} is done",
+            layer.name, before.name
+        )
+    });
+    change.or_else(|| {
+        let label: String = layer.pause.as_ref()?.chars().take(LONGEST_LABEL).collect();
+        Some(format!(
+            "the file asks for a pause before the layer \"{label}\""
+        ))
+    })
 }
 
 /// Warns about layers that are burned slower, and so darker, than requested.
@@ -150,3 +170,6 @@ pub(super) fn slow_burning(plan: &Plan) -> Vec<Warning> {
     });
     warnings.collect()
 }
+
+/// In characters: a message has at most 200.
+const LONGEST_LABEL: usize = 70;

@@ -13,7 +13,7 @@ use crate::layout::place::PlaceError;
 use crate::preparation::progress::PrepareStep;
 use crate::strokes::cutting::{inner_first, layers_inner_first};
 use crate::strokes::duplicate_lines::without_duplicates;
-use crate::strokes::hatch::hatch;
+use crate::strokes::hatch::hatch_until;
 use crate::strokes::merge::merge;
 use crate::strokes::order::order_until;
 
@@ -28,7 +28,7 @@ pub(super) fn passes<E>(
 ) -> Result<Vec<Pass>, PrepareError> {
     let count = if layers.len() > 1 { layers.len() } else { 0 };
     settings.progress.begin(PrepareStep::Ordering, count);
-    let (mut laid, mut has_lines) = (Vec::new(), false);
+    let (mut laid, mut has_lines, mut pause) = (Vec::new(), false, None);
     for mut layer in layers {
         settings.cancel.check()?;
         let tool = layers::tool(&layer, settings);
@@ -39,8 +39,10 @@ pub(super) fn passes<E>(
         settings.cancel.check()?;
         let lines = lines.within_reach(tool, settings, reachable, warnings);
         settings.cancel.check()?;
-        // Areas without hatching leave no ink.
+        // Areas without hatching leave no ink, but a pause before them is made before the next.
+        pause = layer.pause.take().or(pause);
         if !lines.is_empty() {
+            layer.pause = pause.take();
             let lines = lines.joined(tool, settings, warnings);
             laid.push(LaidLayer { layer, tool, lines });
         }
@@ -145,8 +147,7 @@ impl Lines {
         let (mut own, mut fills) = (std::mem::take(&mut layer.strokes), Vec::new());
         if let Some(hatching) = &settings.hatch {
             for area in &layer.areas {
-                settings.cancel.check()?;
-                fills.append(&mut hatch(area, hatching)?);
+                fills.append(&mut hatch_until(area, hatching, &settings.cancel)?);
             }
         }
         if !tool.cuts() {

@@ -922,3 +922,49 @@ fn a_hole_is_cut_before_the_outline_of_a_part_with_a_shared_edge() {
     lengths.sort_by(f64::total_cmp);
     assert_eq!(lengths, [25.0, 31.0]);
 }
+
+#[test]
+fn a_pen_pauses_before_layers_and_keeps_to_the_speeds_that_the_file_asks_for() {
+    let layer = |label: &str, content: &str| {
+        format!(r#"<g i:groupmode="layer" i:label="{label}">{content}</g>"#)
+    };
+    let line = |y: u32| format!(r#"<path d="M0 {y}H40" stroke="black"/>"#);
+    let layers = [
+        layer("!first+S5", &line(1)),
+        layer("+S5", &line(3)),
+        // An area without hatching draws nothing.
+        layer(
+            "!empty",
+            r#"<rect width="5" height="5" clip-path="url(#none)"/>"#,
+        ),
+        layer("later", &line(5)),
+    ];
+    let svg = format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" xmlns:i="http://www.inkscape.org/namespaces/inkscape" width="50mm" height="9mm" viewBox="0 0 50 9"><clipPath id="none"/>{}</svg>"#,
+        layers.concat()
+    );
+    let passes = |settings: &Settings| {
+        let prepared = prepare(&svg.as_str().into(), settings, anywhere).unwrap();
+        let of_pass = |pass: &Pass| (pass.message.clone(), pass.tool.speed_mm_s().round());
+        prepared.passes.iter().map(of_pass).collect::<Vec<_>>()
+    };
+    let pause = |label: &str| {
+        Some(format!(
+            "the file asks for a pause before the layer {label:?}"
+        ))
+    };
+    let usual_mm_s = Settings::default().tool.speed_mm_s().round();
+    // 5 % of 221 mm/s.
+    let expected = [
+        (pause("!first+S5"), usual_mm_s),
+        (None, 11.0),
+        (pause("!empty"), usual_mm_s),
+    ];
+    assert_eq!(passes(&Settings::default()), expected);
+    let own_speed = Settings {
+        keeps_speed: true,
+        ..Settings::default()
+    };
+    let expected = expected.map(|(message, _)| (message, usual_mm_s));
+    assert_eq!(passes(&own_speed), expected);
+}

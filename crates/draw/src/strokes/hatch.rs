@@ -10,7 +10,7 @@ mod tests;
 use std::str::FromStr;
 
 use contour::{contours, spirals};
-use dobot_geometry::{Area, Point, Stroke, Vec2, direction};
+use dobot_geometry::{Area, CancelToken, Cancelled, Point, Stroke, Vec2, direction};
 use join::{Joined, each};
 use scan::Scan;
 use schemars::JsonSchema;
@@ -66,18 +66,27 @@ impl Default for Hatch {
 /// [`HatchError`] if a setting is not a number or out of range, or if there would be too many
 /// lines.
 pub fn hatch(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchError> {
+    hatch_until(area, hatch, &CancelToken::default())
+}
+
+/// Like [`hatch`], until the drawing is cancelled.
+pub(crate) fn hatch_until(
+    area: &Area,
+    hatch: &Hatch,
+    cancel: &CancelToken,
+) -> Result<Vec<Stroke>, HatchError> {
     hatch.check(area)?;
     match hatch.style {
-        HatchStyle::Lines => parallel(area, hatch),
-        HatchStyle::Concentric => contours(area, hatch),
-        HatchStyle::Spiral => spirals(area, hatch),
+        HatchStyle::Lines => parallel(area, hatch, cancel),
+        HatchStyle::Concentric => contours(area, hatch, cancel),
+        HatchStyle::Spiral => spirals(area, hatch, cancel),
     }
 }
 
-fn parallel(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchError> {
-    let mut strokes = lines(area, hatch, hatch.angle_deg)?;
+fn parallel(area: &Area, hatch: &Hatch, cancel: &CancelToken) -> Result<Vec<Stroke>, HatchError> {
+    let mut strokes = lines(area, hatch, hatch.angle_deg, cancel)?;
     if hatch.cross {
-        strokes.extend(lines(area, hatch, hatch.angle_deg + 90.0)?);
+        strokes.extend(lines(area, hatch, hatch.angle_deg + 90.0, cancel)?);
     }
     Ok(strokes)
 }
@@ -143,6 +152,9 @@ impl Hatch {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum HatchError {
+    /// The hatching was cancelled.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// A setting is not a number or below its minimum.
     #[error("the {name} of the hatch is {found} {unit}; it must be {allowed}")]
     Setting {
@@ -187,7 +199,12 @@ pub enum HatchError {
 }
 
 /// Returns the lines in one direction.
-fn lines(area: &Area, hatch: &Hatch, angle_deg: f64) -> Result<Vec<Stroke>, HatchError> {
+fn lines(
+    area: &Area,
+    hatch: &Hatch,
+    angle_deg: f64,
+    cancel: &CancelToken,
+) -> Result<Vec<Stroke>, HatchError> {
     // Rotate the area so that the lines are horizontal.
     let forth = direction(angle_deg);
     let back = Vec2::new(forth.x, -forth.y);
@@ -204,11 +221,11 @@ fn lines(area: &Area, hatch: &Hatch, angle_deg: f64) -> Result<Vec<Stroke>, Hatc
         spacing_mm: hatch.spacing_mm,
         inset_mm: hatch.inset_mm,
     };
-    let spans = scan.spans()?;
+    let spans = scan.spans(cancel)?;
     let mut strokes = if hatch.apart {
         each(&spans)
     } else {
-        Joined::new(&spans, scan.edges, hatch.spacing_mm).strokes()
+        Joined::new(&spans, scan.edges, hatch.spacing_mm).strokes(cancel)?
     };
     for p in strokes.iter_mut().flat_map(|stroke| &mut stroke.points) {
         *p = turned(*p, forth);

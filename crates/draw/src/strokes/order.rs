@@ -23,6 +23,7 @@ use self::greedy::greedy;
 use self::nodes::Nodes;
 use self::search::LocalSearch;
 use self::stops::{Stop, cost, drawn, given, turn_loops};
+use self::tour::MAX_EDGES;
 pub use self::travel::Travel;
 use self::turns::Turns;
 use dobot_geometry::CancelToken;
@@ -53,7 +54,7 @@ pub fn order(strokes: Vec<Stroke>, start: Point, search: &Search) -> Vec<Stroke>
     order_until(strokes, start, search, &CancelToken::default())
 }
 
-/// Like [`order`], but returns the best order found so far once the drawing is cancelled.
+/// Like [`order`], but ends the search once the drawing is cancelled.
 pub(crate) fn order_until(
     strokes: Vec<Stroke>,
     start: Point,
@@ -81,9 +82,12 @@ fn searched(
 ) -> Vec<Stop> {
     let mut random = Random::new(search.seed);
     let turn = |way: &mut Vec<Stop>| turn_loops(strokes, way, start, search.travel);
-    let nodes_of = |way: &[Stop]| Nodes::new(strokes, way, start, search.travel);
+    let nodes_of = |way: &[Stop]| Nodes::new(strokes, way, start, search.travel, cancel);
     let mut nodes = nodes_of(given);
-    let mut way = nodes.way(&greedy(&nodes));
+    let Some(tour) = greedy(&nodes, cancel) else {
+        return given.to_vec();
+    };
+    let mut way = nodes.way(&tour);
     // Without closed strokes the nodes never change, so a single round suffices.
     let rounds = if turn(&mut way) > 0.0 { ROUNDS } else { 1 };
     for _ in 0..rounds {
@@ -91,10 +95,11 @@ fn searched(
         if rounds > 1 {
             nodes = nodes_of(&way);
         }
-        let mut local_search = LocalSearch::new(&nodes, nodes.tour(&way), cancel);
+        let most = kicks(search, way.len());
+        let tour = nodes.tour(&way);
+        let mut local_search = LocalSearch::new(&nodes, tour, kick_edges(most, way.len()), cancel);
         local_search.settle_all();
         let mean = cost(strokes, &way, start, search.travel) / lossy(way.len().max(1));
-        let most = kicks(search, way.len());
         let kicks = most / rounds;
         let warmth = mean * patience(most, way.len());
         // Half of the kicks exchange edges; the rest moves parts, which exchanges cannot do.
@@ -139,6 +144,12 @@ fn kicks(search: &Search, strokes: usize) -> u32 {
     u32::try_from(fewer).unwrap_or(kicks)
 }
 
+/// Returns the maximum number of edges that an exchange after a kick removes.
+fn kick_edges(kicks: u32, strokes: usize) -> usize {
+    let has_many = kicks as usize / MANY_KICKS as usize >= strokes;
+    MAX_EDGES - usize::from(has_many)
+}
+
 /// Returns the initial tolerance for worse orders, as a share of the best value for enough kicks
 /// per stroke.
 fn patience(kicks: u32, strokes: usize) -> f64 {
@@ -152,8 +163,10 @@ const fn lossy(count: usize) -> f64 {
 
 const ROUNDS: u32 = 2;
 const KICKS_FOR_EACH: u32 = 40;
+/// With this many kicks per stroke, more and simpler exchanges gain more in the same time.
+const MANY_KICKS: u32 = 20;
 /// The number of strokes above which there are fewer kicks.
-const MANY_STROKES: u32 = 10_000;
+const MANY_STROKES: u32 = 14_000;
 /// The minimum for a handful of strokes, which takes no time.
 const MIN_KICKS: u32 = 1000;
 /// The kicks for moving parts are divided into this many shares, and end when a share shortens the

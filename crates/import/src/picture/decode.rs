@@ -2,7 +2,7 @@
 
 use std::io::Cursor;
 
-use dobot_geometry::Point;
+use dobot_geometry::{CancelToken, Point};
 use image::ImageFormat;
 use png::{BitDepth, ColorType, Limits, Transformations, Unit};
 use zune_jpeg::JpegDecoder;
@@ -97,10 +97,15 @@ pub(super) fn header(bytes: &[u8]) -> Result<Header, ImageError> {
     }
 }
 
-/// Reads header and pixels, 0 for black and 255 for white; transparent pixels become `paper`.
-pub(super) fn pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), ImageError> {
+/// Reads header and pixels, 0 for black and 255 for white; transparent pixels become `paper`. A
+/// cancelled picture may be any error.
+pub(super) fn pixels(
+    bytes: &[u8],
+    paper: u8,
+    cancel: &CancelToken,
+) -> Result<(Header, Vec<u8>), ImageError> {
     match known_format(bytes)? {
-        ImageFormat::Png => png_pixels(bytes, paper),
+        ImageFormat::Png => png_pixels(bytes, paper, cancel),
         ImageFormat::Jpeg => jpeg_pixels(bytes),
         format => others::pixels(bytes, format, paper),
     }
@@ -142,22 +147,29 @@ fn png(bytes: &[u8]) -> Result<PngFile<'_>, ImageError> {
     Ok(PngFile { reader, header })
 }
 
-fn png_pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), ImageError> {
+fn png_pixels(
+    bytes: &[u8],
+    paper: u8,
+    cancel: &CancelToken,
+) -> Result<(Header, Vec<u8>), ImageError> {
     let PngFile { mut reader, header } = png(bytes)?;
     let (color, depth) = reader.output_color_type();
     if depth == BitDepth::Sixteen {
         let mut deep = DeepPixels::default();
-        rows(&mut reader, |row| add_deep(&mut deep, row, color))?;
+        rows(&mut reader, cancel, |row| add_deep(&mut deep, row, color))?;
         return complete(header, deep.shallow(paper));
     }
     let mut grey = Vec::with_capacity(header.width * header.height);
-    rows(&mut reader, |row| add_grey(&mut grey, row, color, paper))?;
+    rows(&mut reader, cancel, |row| {
+        add_grey(&mut grey, row, color, paper)
+    })?;
     complete(header, grey)
 }
 
-/// Reads all rows of a PNG file, one by one unless they are interlaced.
+/// Reads all rows of a PNG file, one by one unless they are interlaced, until it is cancelled.
 fn rows(
     reader: &mut png::Reader<Cursor<&[u8]>>,
+    cancel: &CancelToken,
     mut add: impl FnMut(&[u8]),
 ) -> Result<(), ImageError> {
     if reader.info().interlaced {
@@ -167,7 +179,9 @@ fn rows(
         add(&all);
         return Ok(());
     }
-    while let Some(row) = reader.next_row().map_err(bad_png)? {
+    while !cancel.is_cancelled()
+        && let Some(row) = reader.next_row().map_err(bad_png)?
+    {
         add(row.data());
     }
     Ok(())

@@ -68,7 +68,7 @@ fn drawn(file: &[u8], options: &ReadOptions) -> Vec<Stroke> {
 
 /// The grey pixels of a file, row by row.
 fn seen(file: &[u8]) -> Vec<u8> {
-    pixels(file, 255).unwrap().1
+    pixels(file, 255, &CancelToken::default()).unwrap().1
 }
 
 /// Black within `radius` of (x, y), white outside, the edge as sharp as pixels can show.
@@ -365,7 +365,10 @@ fn transparent_pixels_are_paper() {
     let file = encoded(80, 50, ColorType::GrayscaleAlpha, BitDepth::Eight, &pixels);
     let strokes = drawn(&file, &options(ShadingStyle::Hatch));
     assert!(bounds_of_strokes(&strokes).x1 < 42.5 * PIXEL_MM);
-    assert_eq!(self::pixels(&file, 0).unwrap().1[70], 0);
+    assert_eq!(
+        self::pixels(&file, 0, &CancelToken::default()).unwrap().1[70],
+        0
+    );
 }
 
 #[test]
@@ -799,7 +802,7 @@ fn a_picture_with_any_byte_of_its_header_damaged_is_read_or_refused() {
             for value in [0, 1, 0x7f, 0xff] {
                 let mut damaged = file.clone();
                 damaged[place] = value;
-                if let Ok((header, grey)) = pixels(&damaged, 255) {
+                if let Ok((header, grey)) = pixels(&damaged, 255, &CancelToken::default()) {
                     assert_eq!(grey.len(), header.width * header.height);
                     assert!(!grey.is_empty());
                 }
@@ -857,4 +860,13 @@ fn a_picture_of_one_tone_has_no_outlines_at_any_darkness() {
     let white = grey(40, 40, |_, _| 1.0);
     let error = read(&white, &options(ShadingStyle::Hatch)).unwrap_err();
     assert!(error.to_string().contains("only one light tone"), "{error}");
+}
+
+#[test]
+fn a_png_is_no_longer_decoded_once_it_is_cancelled() {
+    let file = encoded(1, 300, ColorType::Grayscale, BitDepth::Eight, &[0; 300]);
+    for checks in [0, 1, 10, 299] {
+        let read = pixels(&file, 255, &CancelToken::after_checks(checks));
+        assert!(read.is_err(), "{checks}");
+    }
 }

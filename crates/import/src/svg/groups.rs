@@ -6,38 +6,76 @@ use std::collections::HashMap;
 use usvg::roxmltree::{Document, Node};
 
 use super::edits::{Edit, edited};
+use super::layer_code::{LayerCode, LayerControl, layer_code};
 
-/// The names of the outermost groups, by their existing or added `id`.
+/// The groups that make layers, by their existing or added `id`.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Groups<'a> {
-    pub(crate) names: HashMap<String, String>,
+    pub(crate) by_id: HashMap<String, LayerGroup>,
     /// The file, in which each of them has an `id`.
     pub(crate) text: Cow<'a, str>,
 }
 
+/// What a group means for layers.
+#[derive(Debug, Default, PartialEq)]
+pub(crate) struct LayerGroup {
+    /// The name, if it is an outermost group and these are layers.
+    pub(crate) name: Option<String>,
+    /// How it is drawn, if it is a layer of Inkscape.
+    pub(crate) control: Option<LayerControl>,
+}
+
 impl<'a> Groups<'a> {
-    pub(crate) fn new(doc: &Document<'_>, text: &'a str) -> Self {
-        let mut names = HashMap::new();
+    /// The layers of Inkscape, and the outermost groups if these are layers.
+    pub(crate) fn new(doc: &Document<'_>, text: &'a str, outermost_are_layers: bool) -> Self {
+        let mut by_id: HashMap<String, LayerGroup> = HashMap::new();
         let mut missing = Vec::new();
         let unused = unused(text);
-        for (group, number) in outermost(doc).zip(1..) {
-            let id = id(group).map_or_else(
-                || {
-                    let id = format!("{unused}{number}");
-                    missing.push((group, id.clone()));
-                    id
-                },
-                str::to_owned,
-            );
-            names.entry(id).or_insert_with(|| name(group, number));
+        for (group, number) in outermost(doc).zip(1..).filter(|_| outermost_are_layers) {
+            let id = known_id(group, &mut missing, || format!("{unused}{number}"));
+            let of_id = by_id.entry(id).or_default();
+            of_id.name.get_or_insert_with(|| name(group, number));
+        }
+        for (group, control) in controls(doc) {
+            let number = group.id().get_usize();
+            let id = known_id(group, &mut missing, || format!("{unused}layer-{number}"));
+            by_id.entry(id).or_default().control = Some(control);
         }
         let text = if missing.is_empty() {
             Cow::Borrowed(text)
         } else {
             Cow::Owned(with_ids(text, &missing))
         };
-        Self { names, text }
+        Self { by_id, text }
     }
+}
+
+/// The existing or added `id` of a group; a new one is noted as missing.
+fn known_id<'d, 'i>(
+    group: Node<'d, 'i>,
+    missing: &mut Vec<(Node<'d, 'i>, String)>,
+    new: impl FnOnce() -> String,
+) -> String {
+    let added = || missing.iter().find(|known| known.0 == group);
+    if let Some(id) = id(group).or_else(|| added().map(|known| &*known.1)) {
+        return id.to_owned();
+    }
+    let id = new();
+    missing.push((group, id.clone()));
+    id
+}
+
+/// Whether the label of any layer says how it is drawn.
+pub(crate) fn has_controls(doc: &Document<'_>) -> bool {
+    controls(doc).any(|(_, control)| control != LayerControl::default())
+}
+
+fn controls<'a>(doc: &'a Document<'_>) -> impl Iterator<Item = (Node<'a, 'a>, LayerControl)> {
+    let groups = doc.descendants().filter(|node| is_group(*node));
+    groups.filter_map(|group| match layer_code(group)? {
+        LayerCode::Control(control) => Some((group, control)),
+        LayerCode::Comment => None,
+    })
 }
 
 /// The outermost groups of a file: those in its root, or in a group around everything.
@@ -84,32 +122,6 @@ fn name(group: Node<'_, '_>, number: usize) -> String {
     }
 }
 
-/// What the name of a layer means to `AxiDraw` (its user guide, layer control).
-#[derive(Debug, PartialEq)]
-pub(super) enum LayerCode {
-    /// `%`: it is never drawn.
-    Comment,
-    /// `!`: pause before it; `+S`, `+H` and `+D`: its speed, pen height and delay.
-    Other,
-}
-
-/// The codes for `AxiDraw` in the label of an Inkscape layer.
-pub(super) fn layer_code(node: Node<'_, '_>) -> Option<LayerCode> {
-    let is_layer = node.attribute((INKSCAPE, "groupmode")) == Some("layer");
-    let label = node.attribute((INKSCAPE, "label")).filter(|_| is_layer)?;
-    let label = label.trim_start();
-    let mut codes = label.split('+').skip(1).map(str::as_bytes);
-    let has_code = codes.any(|code| match code {
-        [kind, number, ..] => b"SHDshd".contains(kind) && number.is_ascii_digit(),
-        _ => false,
-    });
-    match label.as_bytes().first()? {
-        b'%' => Some(LayerCode::Comment),
-        b'!' => Some(LayerCode::Other),
-        _ => has_code.then_some(LayerCode::Other),
-    }
-}
-
 fn id<'a>(group: Node<'a, '_>) -> Option<&'a str> {
     group.attribute("id").filter(|id| !id.is_empty())
 }
@@ -152,7 +164,7 @@ const UNDRAWN: [&str; 14] = [
     "symbol",
     "title",
 ];
-const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
+pub(super) const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
@@ -164,13 +176,13 @@ mod tests {
         let text = r#"<svg><g><g/></g><g id="sea"/><g id=""/><g
             fill="red"/></svg>"#;
         let doc = Document::parse(text).unwrap();
-        let groups = Groups::new(&doc, text);
+        let groups = Groups::new(&doc, text, true);
         assert_eq!(
             groups.text,
             r#"<svg><g id="outermost-1"><g/></g><g id="sea"/><g id="outermost-3"/><g id="outermost-4"
             fill="red"/></svg>"#
         );
-        let mut names: Vec<&String> = groups.names.values().collect();
+        let mut names: Vec<&String> = groups.by_id.values().flat_map(|of| &of.name).collect();
         names.sort();
         assert_eq!(names, ["group 1", "group 3", "group 4", "sea"]);
     }
@@ -181,7 +193,8 @@ mod tests {
             r#"<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="{INKSCAPE}">{content}</svg>"#
         );
         let doc = Document::parse(&text).unwrap();
-        let mut names: Vec<String> = Groups::new(&doc, &text).names.into_values().collect();
+        let groups = Groups::new(&doc, &text, true).by_id.into_values();
+        let mut names: Vec<String> = groups.filter_map(|of| of.name).collect();
         names.sort();
         names
     }
@@ -210,35 +223,12 @@ mod tests {
     }
 
     #[test]
-    fn names_of_layers_have_codes_for_axidraw() {
-        let code = |label: &str| {
-            let text = format!(
-                r#"<svg xmlns:inkscape="{INKSCAPE}"><g inkscape:groupmode="layer" inkscape:label="{label}"/></svg>"#
-            );
-            let doc = Document::parse(&text).unwrap();
-            layer_code(doc.root_element().first_element_child().unwrap())
-        };
-        for (label, expected) in [
-            ("%guides", Some(LayerCode::Comment)),
-            (" % guides", Some(LayerCode::Comment)),
-            ("!red", Some(LayerCode::Other)),
-            ("5 +S30+H50 red", Some(LayerCode::Other)),
-            ("red+d100", Some(LayerCode::Other)),
-            ("red + Sea", None),
-            ("50 % red", None),
-            ("", None),
-        ] {
-            assert_eq!(code(label), expected, "{label}");
-        }
-    }
-
-    #[test]
     fn a_label_is_preferred_to_an_id() {
         let text = r#"<svg xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape">
             <g id="layer1" inkscape:label=" Red pen "/></svg>"#;
         let doc = Document::parse(text).unwrap();
-        let groups = Groups::new(&doc, text);
-        assert_eq!(groups.names["layer1"], "Red pen");
+        let groups = Groups::new(&doc, text, true);
+        assert_eq!(groups.by_id["layer1"].name.as_deref(), Some("Red pen"));
         assert_eq!(groups.text, text);
     }
 }

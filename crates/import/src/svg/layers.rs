@@ -6,6 +6,7 @@ use dobot_geometry::{Area, Stroke};
 
 use super::color;
 use super::ink::InkColor;
+use super::layer_code::LayerControl;
 use crate::artwork::Layer;
 use crate::clip::ClipArea;
 use crate::hidden::{CoverPaint, Covers, Heights};
@@ -21,8 +22,14 @@ pub(crate) struct Layers {
     group: Option<String>,
     /// The current line width, in hundredths of a millimetre; `None` for fills.
     width: Option<u32>,
+    /// The current largest speed, in mm/s.
+    speed_mm_s: Option<f64>,
+    /// The number of pauses so far: a layer ends at each.
+    pauses: u32,
+    /// The label of the group before which the arm pauses, until something is drawn after it.
+    pause: Option<String>,
     found: Vec<Layer>,
-    places: HashMap<Key, usize>,
+    places: HashMap<(Key, Manner), usize>,
     /// The layer of the last line or area, which is most often that of the next one.
     last: Option<(Key, usize)>,
     covers: Covers,
@@ -36,6 +43,9 @@ impl Layers {
             by,
             group: None,
             width: None,
+            speed_mm_s: None,
+            pauses: 0,
+            pause: None,
             found: Vec::new(),
             places: HashMap::new(),
             last: None,
@@ -61,6 +71,25 @@ impl Layers {
         if self.width != width {
             self.width = width;
             self.last = None;
+        }
+    }
+
+    pub(crate) const fn speed_mm_s(&self) -> Option<f64> {
+        self.speed_mm_s
+    }
+
+    /// Starts lines and areas with this largest speed, in mm/s.
+    pub(crate) fn draw_at(&mut self, speed_mm_s: Option<f64>) {
+        self.speed_mm_s = speed_mm_s;
+        self.last = None;
+    }
+
+    /// Starts a group whose label says how it is drawn.
+    pub(crate) fn draw_as(&mut self, control: &LayerControl) {
+        self.draw_at(control.speed_mm_s);
+        if control.pause.is_some() {
+            self.pauses += 1;
+            self.pause.clone_from(&control.pause);
         }
     }
 
@@ -119,10 +148,16 @@ impl Layers {
             LayersBy::Width => Key::Width(self.width),
             LayersBy::Nothing => Key::All,
         };
-        let place = *self.places.entry(key.clone()).or_insert_with(|| {
+        let manner = Manner {
+            speed_bits: self.speed_mm_s.map(f64::to_bits),
+            pauses: self.pauses,
+        };
+        let place = *self.places.entry((key.clone(), manner)).or_insert_with(|| {
             self.found.push(Layer {
                 name: key.name(),
                 color: color.0,
+                speed_mm_s: self.speed_mm_s,
+                pause: self.pause.take(),
                 ..Layer::default()
             });
             self.heights.push(Heights::default());
@@ -131,6 +166,13 @@ impl Layers {
         self.last = Some((key, place));
         place
     }
+}
+
+/// How a layer is drawn: its speed, and the number of pauses before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+struct Manner {
+    speed_bits: Option<u64>,
+    pauses: u32,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]

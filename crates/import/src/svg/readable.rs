@@ -14,9 +14,9 @@ use super::check::is_length;
 use super::css::{Found, Styles, presentation, sheets};
 use super::edits::{Additions, Edit, edited, escaped};
 use super::foreign_text::plain_text;
-use super::groups::{LayerCode, layer_code};
 use super::handles::freed;
 use super::ink::{PATH_DASHES, SCREEN_LINE, SCREEN_PATH_DASHES};
+use super::layer_code::{LayerCode, layer_code};
 use super::letters::{anchors, undisplayed};
 use super::page_size::PageSize;
 use super::warning_count::WarningKind;
@@ -121,7 +121,7 @@ struct Rewriter<'a> {
     solid: Found,
     /// The number of ignored values of attributes.
     ignored: Found,
-    /// The number of layers that `AxiDraw` does not draw, and of those with other codes of it.
+    /// The number of layers that `AxiDraw` does not draw, and of those with codes that are not read.
     comment_layers: Found,
     layer_codes: Found,
     /// The number of elements that turn around a place in their own box.
@@ -205,7 +205,10 @@ impl<'a> Rewriter<'a> {
                 self.comment_layers.add(1, node.range().start);
                 replace("display", "none".into());
             }
-            Some(LayerCode::Other) => self.layer_codes.add(1, node.range().start),
+            Some(LayerCode::Control(control)) => {
+                let has_others = usize::from(control.has_others);
+                self.layer_codes.add(has_others, node.range().start);
+            }
             None => {}
         }
         let anchor = self.anchors.get(node.id().get_usize()).copied();

@@ -9,6 +9,7 @@ use usvg::{
 };
 
 use super::flatten::flatten;
+use super::groups::LayerGroup;
 use super::ink::{
     DashLength, Dashes, FillPaint, Ink, InkColor, LinePaint, PAPER, PATH_DASHES, SCREEN_LINE,
     SCREEN_PATH_DASHES,
@@ -25,9 +26,9 @@ use crate::error::SvgError;
 pub(crate) struct TreeRenderer<'a> {
     pub(super) page: &'a mut SvgPage,
     tolerance_mm: f64,
-    /// The names of the outermost groups, by `id`.
-    groups: &'a HashMap<String, String>,
-    /// Whether it is inside one of them.
+    /// The groups that make layers, by `id`.
+    groups: &'a HashMap<String, LayerGroup>,
+    /// Whether it is inside one with a name.
     in_group: bool,
     /// Whether it is inside a transparent group.
     is_faint: bool,
@@ -39,7 +40,7 @@ impl<'a> TreeRenderer<'a> {
     pub(crate) const fn new(
         page: &'a mut SvgPage,
         tolerance_mm: f64,
-        groups: &'a HashMap<String, String>,
+        groups: &'a HashMap<String, LayerGroup>,
     ) -> Self {
         Self {
             page,
@@ -62,15 +63,24 @@ impl<'a> TreeRenderer<'a> {
         parent: Affine,
         clips: &mut Vec<Rc<Region>>,
     ) -> Result<(), SvgError> {
-        let name = self.groups.get(group.id()).filter(|_| !self.in_group);
-        let Some(name) = name else {
+        let Some(LayerGroup { name, control }) = self.groups.get(group.id()) else {
             return self.contents(group, parent, clips);
         };
-        self.in_group = true;
-        self.page.layers.enter(Some(name.clone()));
+        let name = name.as_ref().filter(|_| !self.in_group);
+        let outer_mm_s = self.page.layers.speed_mm_s();
+        if let Some(control) = control {
+            self.page.layers.draw_as(control);
+        }
+        if let Some(name) = name {
+            self.in_group = true;
+            self.page.layers.enter(Some(name.clone()));
+        }
         self.contents(group, parent, clips)?;
-        self.page.layers.enter(None);
-        self.in_group = false;
+        if name.is_some() {
+            self.page.layers.enter(None);
+            self.in_group = false;
+        }
+        self.page.layers.draw_at(outer_mm_s);
         Ok(())
     }
 

@@ -65,7 +65,7 @@ pub(crate) enum WarningKind {
     IgnoredValue,
     /// A layer that `AxiDraw` does not draw.
     CommentLayer,
-    /// A layer whose name has other codes of `AxiDraw`.
+    /// A layer whose name has a pen height or a delay for `AxiDraw`.
     LayerCodes,
     /// A copy of a missing element.
     MissingTarget,
@@ -164,7 +164,7 @@ impl WarningKind {
             Self::CommentLayer => ("layer", "with % before its name: left out, as by AxiDraw"),
             Self::LayerCodes => (
                 "layer name",
-                "with a pause, speed, height or delay for AxiDraw (! +S +H +D): these are not read; set pens and speeds with what.layers and what.layer",
+                "with a pen height or delay for AxiDraw (+H +D): not read, because the paper decides the height and the arm waits only for a person; write ! first for a pause",
             ),
             Self::MissingTarget => (
                 "copy",

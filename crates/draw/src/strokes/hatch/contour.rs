@@ -1,19 +1,25 @@
 //! Concentric hatching: the outline repeated inwards.
 
-use dobot_geometry::{Area, Line, ParamCurveNearest, Point, SegmentIndex, Stroke, bounds};
+use dobot_geometry::{
+    Area, CancelToken, Line, ParamCurveNearest, Point, SegmentIndex, Stroke, bounds,
+};
 
 use super::{Hatch, HatchError};
 use crate::strokes::offset::{SimpleArea, closed};
 
 /// Returns nested closed lines at the spacing. The edge of the area is drawn already: without an
 /// inset, the first lies one spacing inside.
-pub(super) fn contours(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchError> {
+pub(super) fn contours(
+    area: &Area,
+    hatch: &Hatch,
+    cancel: &CancelToken,
+) -> Result<Vec<Stroke>, HatchError> {
     let first_mm = if hatch.inset_mm > 0.0 {
         hatch.inset_mm
     } else {
         hatch.spacing_mm
     };
-    let levels = levels(area, first_mm, hatch.spacing_mm)?;
+    let levels = levels(area, first_mm, hatch.spacing_mm, cancel)?;
     Ok(levels.into_iter().flatten().map(closed).collect())
 }
 
@@ -28,8 +34,12 @@ pub(super) fn contours(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchE
 ///   | '-----' | |
 ///   '---------' /
 /// ```
-pub(super) fn spirals(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchError> {
-    let levels = levels(area, hatch.inset_mm, hatch.spacing_mm)?;
+pub(super) fn spirals(
+    area: &Area,
+    hatch: &Hatch,
+    cancel: &CancelToken,
+) -> Result<Vec<Stroke>, HatchError> {
+    let levels = levels(area, hatch.inset_mm, hatch.spacing_mm, cancel)?;
     let next = followers(&levels);
     let mut strokes = Vec::new();
     let mut is_followed = vec![Vec::new(); levels.len()];
@@ -43,6 +53,7 @@ pub(super) fn spirals(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchEr
             }
             let (mut points, mut here, mut at) = (Vec::new(), ring.clone(), (level, number));
             while let Some(follower) = next[at.0][at.1] {
+                cancel.check()?;
                 let inner = &levels[at.0 + 1][follower];
                 let inner = begun_near(inner, here[0]);
                 points.append(&mut coil(&here, &inner, hatch.spacing_mm));
@@ -67,7 +78,12 @@ pub(super) fn spirals(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchEr
 
 /// Returns the rings of the area reduced by the first distance, then by one more spacing each,
 /// until nothing is left.
-fn levels(area: &Area, first_mm: f64, spacing_mm: f64) -> Result<Vec<Vec<Vec<Point>>>, HatchError> {
+fn levels(
+    area: &Area,
+    first_mm: f64,
+    spacing_mm: f64,
+    cancel: &CancelToken,
+) -> Result<Vec<Vec<Vec<Point>>>, HatchError> {
     let ink = bounds(area.rings.iter().flatten().copied());
     let corners: usize = area.rings.iter().map(Vec::len).sum();
     let rounds = ink.width().min(ink.height()).max(0.0) / (2.0 * spacing_mm);
@@ -81,6 +97,7 @@ fn levels(area: &Area, first_mm: f64, spacing_mm: f64) -> Result<Vec<Vec<Vec<Poi
     let (mut levels, mut round) = (Vec::new(), 0.0);
     // The narrower side is used up after this number of rounds, even if rounding leaves thin tips.
     while round <= rounds + 1.0 {
+        cancel.check()?;
         // Offset the original area each time: repeated rounding would add ever more corners.
         let rings = whole.offset(-(first_mm + round * spacing_mm), ROUND_MM);
         if rings.is_empty() {

@@ -1,6 +1,6 @@
 //! Joining of hatch lines to back-and-forth strokes.
 
-use dobot_geometry::{Point, Rect, SegmentIndex, Stroke};
+use dobot_geometry::{CancelToken, Cancelled, Point, Rect, SegmentIndex, Stroke};
 
 use super::scan::Span;
 
@@ -42,9 +42,10 @@ impl<'a> Joined<'a> {
         }
     }
 
-    pub(super) fn strokes(mut self) -> Vec<Stroke> {
+    pub(super) fn strokes(mut self, cancel: &CancelToken) -> Result<Vec<Stroke>, Cancelled> {
         let (mut before, mut between): (i64, &[Span]) = (0, &[]);
         for line in self.spans.chunk_by(|a, b| a.line == b.line) {
+            cancel.check()?;
             if line[0].line % 2 != 0 {
                 between = line;
                 continue;
@@ -56,7 +57,7 @@ impl<'a> Joined<'a> {
             self.draw(line, if halfway { between } else { &[] });
             before = line[0].line;
         }
-        self.strokes
+        Ok(self.strokes)
     }
 
     /// Adds a line: continues strokes that end near its parts, and begins others.

@@ -1,6 +1,6 @@
 //! Intersection of parallel lines with the inside of rings.
 
-use dobot_geometry::{FillRule, Point};
+use dobot_geometry::{CancelToken, FillRule, Point};
 
 use super::HatchError;
 
@@ -30,10 +30,11 @@ pub(super) struct Span {
 
 impl Scan {
     /// Returns the parts inside, by line and from left to right.
-    pub(super) fn spans(&self) -> Result<Vec<Span>, HatchError> {
+    pub(super) fn spans(&self, cancel: &CancelToken) -> Result<Vec<Span>, HatchError> {
         self.check_count()?;
         let mut events = Vec::new();
         for &edge in &self.edges {
+            cancel.check()?;
             self.cross(edge, &mut events);
             if self.inset_mm > 0.0 {
                 self.block(edge, &mut events);
@@ -43,6 +44,7 @@ impl Scan {
         let lines = events.chunk_by(|a, b| a.line == b.line);
         let mut spans = Vec::new();
         for line in lines {
+            cancel.check()?;
             self.sweep(line, &mut spans);
         }
         Ok(spans)

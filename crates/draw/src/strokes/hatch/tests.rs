@@ -348,3 +348,24 @@ fn outlines(area: &Area) -> Vec<Stroke> {
         .map(|ring| Stroke::open(closed(ring)))
         .collect()
 }
+
+#[test]
+fn the_hatching_of_one_area_can_be_cancelled_at_any_line() {
+    let square = area(&[SQUARE], FillRule::NonZero);
+    for style in [
+        HatchStyle::Lines,
+        HatchStyle::Concentric,
+        HatchStyle::Spiral,
+    ] {
+        let fine = Hatch {
+            style,
+            ..along_x(0.05)
+        };
+        // 200 lines, or 100 rings.
+        for checks in [0, 1, 10, 90] {
+            let hatched = hatch_until(&square, &fine, &CancelToken::after_checks(checks));
+            let cancelled = Err(HatchError::Cancelled(Cancelled));
+            assert_eq!(hatched, cancelled, "{style:?}, {checks}");
+        }
+    }
+}

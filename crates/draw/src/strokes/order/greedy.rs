@@ -1,22 +1,23 @@
 //! Construction of an initial tour: the shortest edges first.
 
-use dobot_geometry::SegmentIndex;
+use dobot_geometry::{CancelToken, SegmentIndex};
 
 use super::nodes::Nodes;
 
 /// Joins nodes by the shortest edges between neighbours, as long as no node gets more than two and
-/// no ring closes, and then joins the fragments, each time the nearest.
-pub(super) fn greedy(nodes: &Nodes) -> Vec<u32> {
+/// no ring closes, and then joins the fragments, each time the nearest. `None` if it is cancelled.
+pub(super) fn greedy(nodes: &Nodes, cancel: &CancelToken) -> Option<Vec<u32>> {
     let mut fragments = Fragments::new(nodes);
-    for (a, b) in shortest_first(nodes) {
+    for (a, b) in shortest_first(nodes, cancel)? {
         fragments.join(a, b);
     }
-    fragments.in_a_row(nodes)
+    fragments.in_a_row(nodes, cancel)
 }
 
-fn shortest_first(nodes: &Nodes) -> Vec<(u32, u32)> {
+fn shortest_first(nodes: &Nodes, cancel: &CancelToken) -> Option<Vec<(u32, u32)>> {
     let mut ways = Vec::new();
     for a in 0..nodes.end() {
+        cancel.check().ok()?;
         for b in nodes.near(a).iter().map(|near| near.node) {
             // Of two mutual neighbours only the smaller one adds the edge; a node listed as its own
             // neighbour is a filler.
@@ -29,7 +30,7 @@ fn shortest_first(nodes: &Nodes) -> Vec<(u32, u32)> {
         }
     }
     ways.sort_unstable();
-    ways.into_iter().map(|(_, a, b)| (a, b)).collect()
+    Some(ways.into_iter().map(|(_, a, b)| (a, b)).collect())
 }
 
 /// The fragments of a tour.
@@ -75,7 +76,7 @@ impl Fragments {
     }
 
     /// Returns a tour from the start through all fragments.
-    fn in_a_row(&self, nodes: &Nodes) -> Vec<u32> {
+    fn in_a_row(&self, nodes: &Nodes, cancel: &CancelToken) -> Option<Vec<u32>> {
         let ends: Vec<u32> = (0..nodes.end())
             .filter(|&node| self.has_room(node) && node != nodes.start())
             .filter(|&node| self.other_end[node as usize] != nodes.end())
@@ -85,6 +86,7 @@ impl Fragments {
         let mut tour = vec![nodes.end()];
         let mut here = self.walk(nodes.start(), &mut tour);
         while let Some((item, _)) = index.nearest(nodes.point(here)) {
+            cancel.check().ok()?;
             let begin = ends[item as usize];
             index.remove(item);
             here = self.walk(begin, &mut tour);
@@ -95,7 +97,7 @@ impl Fragments {
             }
         }
         tour.rotate_left(1);
-        tour
+        Some(tour)
     }
 
     /// Follows a fragment to its other end.

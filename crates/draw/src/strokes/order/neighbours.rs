@@ -2,18 +2,27 @@
 
 use std::collections::HashMap;
 
-use dobot_geometry::{BoxTree, Point};
+use dobot_geometry::{BoxTree, CancelToken, Point};
 
 /// Returns the nearest nodes of every node, nearest first, followed by the nearest of the others
 /// joined with it by a triangulation: dense groups of nodes need links to each other. A node's mate
-/// is never included; missing neighbours are filled with the node itself.
-pub(super) fn near(tree: &BoxTree, at: &[Point], mate: &[u32]) -> Vec<[u32; NEAR]> {
+/// is never included; missing neighbours, and all once it is cancelled, are filled with the node
+/// itself.
+pub(super) fn near(
+    tree: &BoxTree,
+    at: &[Point],
+    mate: &[u32],
+    cancel: &CancelToken,
+) -> Vec<[u32; NEAR]> {
     let net = Net::new(at);
     (0..)
         .zip(at)
         .map(|(node, &p)| {
             let not = [node, mate[node as usize]];
             let mut near = [node; NEAR];
+            if cancel.is_cancelled() {
+                return near;
+            }
             near[..NEAREST].copy_from_slice(&nearest(tree, at, p, not));
             let mut beyond: Vec<(f64, u32)> = net
                 .joined(node)
@@ -122,7 +131,7 @@ mod tests {
         let mut points = [one, other].concat();
         let tree = BoxTree::sort(&mut points, |&p| (p, p));
         let alone: Vec<u32> = (0..).take(points.len()).collect();
-        let found = near(&tree, &points, &alone);
+        let found = near(&tree, &points, &alone, &CancelToken::default());
         points.iter().zip(found).any(|(p, near)| {
             let is_other = |node: u32| other.contains(&points[node as usize]);
             one.contains(p) && near.into_iter().any(is_other)

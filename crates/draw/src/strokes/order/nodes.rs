@@ -1,8 +1,9 @@
 //! The ends of the strokes as nodes of a tour.
 
-use dobot_geometry::{BoxTree, Point, Random, Stroke};
+use dobot_geometry::{BoxTree, CancelToken, Point, Random, Stroke};
 
 use super::neighbours::{NEAR, near};
+use super::search::STROKE;
 use super::stops::Stop;
 use super::travel::{Fare, Travel};
 
@@ -26,12 +27,20 @@ pub(super) struct Nodes {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Near {
     pub(super) node: u32,
-    pub(super) cost: f64,
+    /// In single precision, as all costs are, so that sums of them agree.
+    pub(super) cost: f32,
 }
 
 impl Nodes {
-    /// Creates the nodes of ordered strokes with their starts.
-    pub(super) fn new(strokes: &[Stroke], way: &[Stop], start: Point, travel: Travel) -> Self {
+    /// Creates the nodes of ordered strokes with their starts. Once it is cancelled, nodes have no
+    /// neighbours.
+    pub(super) fn new(
+        strokes: &[Stroke],
+        way: &[Stop],
+        start: Point,
+        travel: Travel,
+        cancel: &CancelToken,
+    ) -> Self {
         // The position, stroke (if any) and point of each node.
         let mut stops = vec![(
             start,
@@ -50,7 +59,7 @@ impl Nodes {
         let tree = BoxTree::sort(&mut stops, |stop| (stop.0, stop.0));
         let (mut at, mut stops): (Vec<Point>, Vec<Stop>) = stops.into_iter().unzip();
         let fare = Fare::of(travel);
-        let near = (0..).zip(near(&tree, &at, &mates(&stops, strokes.len())));
+        let near = (0..).zip(near(&tree, &at, &mates(&stops, strokes.len()), cancel));
         let near = near.map(|(node, near)| {
             near.map(|neighbour| Near {
                 node: neighbour,
@@ -80,6 +89,14 @@ impl Nodes {
     /// Returns the cost of the way between two nodes.
     #[inline]
     pub(super) fn cost(&self, a: u32, b: u32) -> f64 {
+        way_cost(self.fare, &self.at, a, b).into()
+    }
+
+    /// Returns the cost of an edge of a tour: that of the way, or [`STROKE`].
+    pub(super) fn edge_cost(&self, a: u32, b: u32) -> f32 {
+        if self.is_stroke(a, b) {
+            return STROKE;
+        }
         way_cost(self.fare, &self.at, a, b)
     }
 
@@ -171,10 +188,11 @@ impl Nodes {
 }
 
 #[inline]
-fn way_cost(fare: Fare, at: &[Point], a: u32, b: u32) -> f64 {
+#[expect(clippy::cast_possible_truncation, reason = "seven digits suffice")]
+fn way_cost(fare: Fare, at: &[Point], a: u32, b: u32) -> f32 {
     let way = at[b as usize] - at[a as usize];
     // `max` returns the number if the other value is NaN: the way to the end costs nothing.
-    fare.cost(way.hypot2().sqrt().max(0.0))
+    fare.cost(way.hypot2().sqrt().max(0.0)) as f32
 }
 
 /// Returns for each node the other node of the same stroke, or itself.

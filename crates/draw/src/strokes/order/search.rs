@@ -14,23 +14,40 @@ use dobot_geometry::CancelToken;
 pub(super) struct LocalSearch<'a> {
     nodes: &'a Nodes,
     tour: Tour,
+    /// The edges of each node in the tour.
+    joined: Vec<Joined>,
+    /// The edges of nodes before changes that may be undone.
+    undo: Vec<(u32, Joined)>,
     /// The nodes next to changes, each once.
     queue: VecDeque<u32>,
     queued: Vec<bool>,
     /// The ends of the removed edges, in pairs.
     ends: [u32; 2 * MAX_EDGES],
+    /// The maximum number of edges that an exchange removes: now, and after a kick.
+    edges: usize,
+    kick_edges: usize,
     cancel: &'a CancelToken,
 }
 
 impl<'a> LocalSearch<'a> {
-    pub(super) fn new(nodes: &'a Nodes, tour: Vec<u32>, cancel: &'a CancelToken) -> Self {
+    /// Creates a search in which an exchange after a kick removes at most `kick_edges` edges.
+    pub(super) fn new(
+        nodes: &'a Nodes,
+        tour: Vec<u32>,
+        kick_edges: usize,
+        cancel: &'a CancelToken,
+    ) -> Self {
         let size = tour.len();
         Self {
+            joined: joined(nodes, &tour),
+            undo: Vec::new(),
             nodes,
             queue: VecDeque::with_capacity(size),
             queued: vec![false; size],
             tour: Tour::new(tour, (WRITES / size).max(MIN_REACH)),
             ends: [0; 2 * MAX_EDGES],
+            edges: MAX_EDGES,
+            kick_edges,
             cancel,
         }
     }
@@ -40,25 +57,26 @@ impl<'a> LocalSearch<'a> {
         for place in 0..self.tour.len() {
             self.touch(self.tour.at(place));
         }
+        self.edges = MAX_EDGES;
         self.settle();
-        self.tour.keep();
+        self.keep();
     }
 
     /// Continues with another tour.
     pub(super) fn set(&mut self, tour: Vec<u32>) {
-        self.tour.set(tour);
+        self.replace(tour);
         self.settle_all();
     }
 
     /// Applies kicks, each followed by a local search. A worse result is undone, except for losses
-    /// that are accepted with decreasing probability, so that the search leaves local minima. The
-    /// best tour is kept. `mean` is the mean cost of the travel between strokes, or less with few
-    /// kicks.
+    /// that are accepted with decreasing probability, so that the search leaves local minima.
+    /// `mean` is the mean cost of the travel between strokes, or less with few kicks.
     pub(super) fn anneal(&mut self, kicks: u32, mean: f64, random: &mut Random) {
         let work = u64::from(kicks) * KICK_WRITES;
         let begin = self.tour.written();
-        let (mut gain, mut most) = (0.0, 0.0);
-        let mut best = self.tour.order().to_vec();
+        self.edges = self.kick_edges;
+        let mut gain = 0.0;
+        let before = self.tour.order().to_vec();
         for kick in 0_u64.. {
             // Count written places rather than time, so that a seed gives the same order
             // everywhere.
@@ -70,13 +88,50 @@ impl<'a> LocalSearch<'a> {
             let left = 1.0 - done as f64 / work as f64;
             // Cool down quadratically: accept losses early and refine at the end.
             gain += self.kick(WARMTH * mean * left * left, random);
-            if gain > most + EPSILON {
-                most = gain;
-                best.copy_from_slice(self.tour.order());
-            }
         }
-        if gain < most - EPSILON {
-            self.tour.set(best);
+        if gain < 0.0 {
+            self.replace(before);
+        }
+    }
+
+    fn replace(&mut self, tour: Vec<u32>) {
+        self.joined = joined(self.nodes, &tour);
+        self.tour.set(tour);
+        self.undo.clear();
+    }
+
+    /// Makes all changes permanent.
+    fn keep(&mut self) {
+        self.tour.keep();
+        self.undo.clear();
+    }
+
+    /// Undoes all changes since the last `keep`.
+    fn take_back(&mut self) {
+        self.tour.take_back();
+        while let Some((node, before)) = self.undo.pop() {
+            self.joined[node as usize] = before;
+        }
+    }
+
+    /// Replaces the edges (0, 1), (2, 3) and so on of `ends` by (1, 2), (3, 4), ... and from the
+    /// last to the first.
+    fn rejoin(&mut self, ends: &[u32]) {
+        let mut slots = [0; 2 * MAX_EDGES];
+        for (i, (&end, slot)) in ends.iter().zip(&mut slots).enumerate() {
+            let joined = self.joined[end as usize];
+            self.undo.push((end, joined));
+            *slot = usize::from(joined.node[1] == ends[i ^ 1]);
+        }
+        // A node may lose both of its edges.
+        for i in (1..ends.len()).step_by(2) {
+            let next = if i + 1 == ends.len() { 0 } else { i + 1 };
+            let cost = self.nodes.edge_cost(ends[i], ends[next]);
+            for (this, other) in [(i, next), (next, i)] {
+                let joined = &mut self.joined[ends[this] as usize];
+                joined.node[slots[this]] = ends[other];
+                joined.cost[slots[this]] = cost;
+            }
         }
     }
 
@@ -102,6 +157,8 @@ impl<'a> LocalSearch<'a> {
             gain -= self.nodes.cost(a, b);
         }
         self.tour.apply(&Tour::bridge(places));
+        self.rejoin(&[a0, b0, a2, b2]);
+        self.rejoin(&[a1, b1, a3, b3]);
         for end in ends.into_iter().flatten() {
             self.touch(end);
         }
@@ -110,10 +167,10 @@ impl<'a> LocalSearch<'a> {
         // `chance` is above 0, so that its logarithm is finite.
         let chance = f64::from(random.below(CHANCES) + 1) / f64::from(CHANCES);
         if gain < warmth * chance.ln() - EPSILON {
-            self.tour.take_back();
+            self.take_back();
             gain = 0.0;
         }
-        self.tour.keep();
+        self.keep();
         gain
     }
 
@@ -198,11 +255,12 @@ impl<'a> LocalSearch<'a> {
 
     /// Removes an edge of a node, if that leads to a gain.
     fn improve(&mut self, node: u32) -> Option<f64> {
-        for other in [self.tour.next(node), self.tour.previous(node)] {
-            if !self.nodes.is_stroke(node, other) {
+        let Joined { node: others, cost } = self.joined[node as usize];
+        for (other, cost) in others.into_iter().zip(cost) {
+            if cost != STROKE {
                 self.ends[0] = node;
                 self.ends[1] = other;
-                let gain = self.deepen(1, self.nodes.cost(node, other));
+                let gain = self.deepen(1, cost.into());
                 if gain.is_some() {
                     return gain;
                 }
@@ -223,12 +281,14 @@ impl<'a> LocalSearch<'a> {
                 && let Some(exchange) = self.tour.exchange(&self.ends[..2 * depth + 2])
             {
                 self.tour.apply(&exchange);
+                let ends = self.ends;
+                self.rejoin(&ends[..2 * depth + 2]);
                 for i in 0..2 * depth + 2 {
                     self.touch(self.ends[i]);
                 }
                 return Some(gain);
             }
-            if depth + 1 < DEPTH {
+            if depth + 1 < self.edges {
                 let gain = self.deepen(depth + 1, open);
                 if gain.is_some() {
                     return gain;
@@ -243,9 +303,9 @@ impl<'a> LocalSearch<'a> {
         let mut steps = [Step::default(); MAX_STEPS];
         let (mut count, most) = (0, BREADTH[depth - 1]);
         let from = self.ends[2 * depth - 1];
-        let around = [self.tour.next(from), self.tour.previous(from)];
+        let around = self.joined[from as usize].node;
         for &Near { node: to, cost } in self.nodes.near(from) {
-            let left = open - cost;
+            let left = open - f64::from(cost);
             // Neighbours are sorted by cost, so no later one can leave a gain either.
             if left <= EPSILON {
                 break;
@@ -255,19 +315,18 @@ impl<'a> LocalSearch<'a> {
             if around.contains(&to) || to == from {
                 continue;
             }
-            for out in [self.tour.next(to), self.tour.previous(to)] {
-                if self.nodes.is_stroke(to, out) || self.is_out(depth, to, out) {
+            let Joined { node: outs, cost } = self.joined[to as usize];
+            for (out, cost) in outs.into_iter().zip(cost) {
+                let open = left + f64::from(cost);
+                let is_full = count == most;
+                if is_full && steps[most - 1].open >= open
+                    || cost == STROKE
+                    || self.is_out(depth, to, out)
+                {
                     continue;
                 }
-                let open = left + self.nodes.cost(to, out);
-                let mut slot = count;
-                if count < most {
-                    count += 1;
-                } else if steps[most - 1].open >= open {
-                    continue;
-                } else {
-                    slot = most - 1;
-                }
+                let mut slot = if is_full { most - 1 } else { count };
+                count += usize::from(!is_full);
                 // Insertion sort: there are at most five steps.
                 while slot > 0 && steps[slot - 1].open < open {
                     steps[slot] = steps[slot - 1];
@@ -287,6 +346,32 @@ impl<'a> LocalSearch<'a> {
     }
 }
 
+/// The edges of a node in the tour: its two neighbours, and the costs of the ways to them.
+#[derive(Clone, Copy, Debug)]
+struct Joined {
+    node: [u32; 2],
+    /// [`STROKE`] for an edge that must stay.
+    cost: [f32; 2],
+}
+
+/// Returns the edges of each node.
+fn joined(nodes: &Nodes, tour: &[u32]) -> Vec<Joined> {
+    let none = Joined {
+        node: [0; 2],
+        cost: [0.0; 2],
+    };
+    let mut joined = vec![none; tour.len()];
+    let next = tour.iter().cycle().skip(1);
+    for (&a, &b) in tour.iter().zip(next) {
+        let cost = nodes.edge_cost(a, b);
+        for (node, other, slot) in [(a, b, 1), (b, a, 0)] {
+            joined[node as usize].node[slot] = other;
+            joined[node as usize].cost[slot] = cost;
+        }
+    }
+    joined
+}
+
 /// An added and a removed edge.
 #[derive(Clone, Copy, Debug, Default)]
 struct Step {
@@ -298,8 +383,9 @@ struct Step {
     open: f64,
 }
 
-/// The maximum number of removed edges, and the number of steps tried after each.
-const DEPTH: usize = MAX_EDGES;
+/// The cost of an edge that is a stroke, so that its removal never gains anything.
+pub(super) const STROKE: f32 = f32::NEG_INFINITY;
+/// The number of steps tried after each removed edge.
 const BREADTH: [usize; MAX_EDGES - 1] = [5, 3, 1];
 
 const MAX_STEPS: usize = 5;
@@ -319,3 +405,45 @@ const EPSILON: f64 = 1e-9;
 /// The maximum number of places an exchange may write, multiplied by the number of nodes.
 const WRITES: usize = 10_000_000_000;
 const MIN_REACH: usize = 1000;
+
+#[cfg(test)]
+mod tests {
+    use dobot_geometry::{Point, Stroke};
+
+    use super::super::stops::given;
+    use super::super::travel::Travel;
+    use super::*;
+
+    #[test]
+    fn edges_of_nodes_are_those_of_the_tour_after_kicks_that_are_undone_too() {
+        let mut random = Random::new(7);
+        let mut points = Random::new(8);
+        let mut point = || Point::new(points.share() * 50.0, points.share() * 50.0);
+        let strokes: Vec<Stroke> = (0..60)
+            .map(|i| match i % 3 {
+                0 => Stroke::open(vec![point()]),
+                _ => Stroke::open(vec![point(), point()]),
+            })
+            .collect();
+        let way = given(&strokes);
+        let cancel = CancelToken::default();
+        let nodes = Nodes::new(&strokes, &way, Point::default(), Travel::Length, &cancel);
+        let sorted = |joined: &[Joined]| -> Vec<[(u32, u32); 2]> {
+            let sorted = joined.iter().map(|Joined { node, cost }| {
+                let mut edges = [0, 1].map(|i| (node[i], cost[i].to_bits()));
+                edges.sort_unstable();
+                edges
+            });
+            sorted.collect()
+        };
+        for kick_edges in [3, MAX_EDGES] {
+            let mut search = LocalSearch::new(&nodes, nodes.tour(&way), kick_edges, &cancel);
+            search.settle_all();
+            for _ in 0..50 {
+                search.anneal(10, 1.0, &mut random);
+                let expected = joined(&nodes, search.tour());
+                assert_eq!(sorted(&search.joined), sorted(&expected));
+            }
+        }
+    }
+}

@@ -166,7 +166,7 @@ impl<'a> Turns<'a> {
             [(a + 1, b + 1), (a, b)].into_iter().any(|(from, to)| {
                 from > 0
                     && from + 1 < to
-                    && near.cost < self.row.way(from) + self.row.way(to)
+                    && f64::from(near.cost) < self.row.way(from) + self.row.way(to)
                     && self.change(&[
                         forward(0, from),
                         Part {
@@ -194,7 +194,9 @@ impl<'a> Turns<'a> {
                     return false;
                 }
                 let left_out = self.row.way(from) + self.row.way(to) - self.row.least(from - 1, to);
-                nearer.any(|near| self.shift_beside((from, to), here, near, left_out - near.cost))
+                nearer.any(|near| {
+                    self.shift_beside((from, to), here, near, left_out - f64::from(near.cost))
+                })
             })
     }
 
@@ -234,7 +236,7 @@ impl<'a> Turns<'a> {
     /// Returns the neighbours of a node with a lower travel cost.
     fn nearer(&self, node: u32, cost: f64) -> impl Iterator<Item = &'a Near> + use<'a> {
         let near = self.nodes.near(node).iter();
-        near.take_while(move |near| near.cost < cost)
+        near.take_while(move |near| f64::from(near.cost) < cost)
     }
 
     /// Returns possible ends of parts that begin here: after few strokes, or before a long travel.
@@ -325,8 +327,8 @@ mod tests {
     /// Returns the cost of the given order, before and after moving parts.
     fn before_and_after(strokes: &[Stroke]) -> (f64, f64) {
         let way = given(strokes);
-        let nodes = Nodes::new(strokes, &way, START, Travel::Length);
         let cancel = CancelToken::default();
+        let nodes = Nodes::new(strokes, &way, START, Travel::Length, &cancel);
         let mut turns = Turns::new(&nodes, &nodes.tour(&way), &cancel);
         turns.settle_all();
         turns.kicks(50, &mut Random::new(1));

@@ -157,20 +157,21 @@ fn font(value: &str) -> Option<Values<'static>> {
 /// The declarations of the style of an element, and the number of invalid ones.
 pub(super) fn declarations(style: &str) -> (Vec<Declaration<'_>>, usize) {
     let mut input = Parser::new(style);
-    let mut own = Style::default();
+    let mut own = Declarations::default();
     let items = RuleBodyParser::new(&mut input, &mut own);
     let broken = items.filter(Result::is_err).count();
-    (own.declarations, own.ignored + broken)
+    (own.valid, own.ignored + broken)
 }
 
-/// The declarations read from the style of an element.
+/// The declarations read from a rule or the style of an element.
 #[derive(Default)]
-struct Style<'i> {
-    declarations: Vec<Declaration<'i>>,
-    ignored: usize,
+pub(super) struct Declarations<'i> {
+    pub(super) valid: Vec<Declaration<'i>>,
+    /// The number of those with an invalid value.
+    pub(super) ignored: usize,
 }
 
-impl<'i> DeclarationParser<'i> for Style<'i> {
+impl<'i> DeclarationParser<'i> for Declarations<'i> {
     type Declaration = ();
     type Error = Error;
 
@@ -181,26 +182,26 @@ impl<'i> DeclarationParser<'i> for Style<'i> {
         _start: &ParserState,
     ) -> Result<(), ParseError<Error>> {
         match declaration(&name, input)? {
-            Some(mut declarations) => self.declarations.append(&mut declarations),
+            Some(mut valid) => self.valid.append(&mut valid),
             None => self.ignored += 1,
         }
         Ok(())
     }
 }
 
-impl<'i> AtRuleParser<'i> for Style<'i> {
+impl<'i> AtRuleParser<'i> for Declarations<'i> {
     type Prelude = ();
     type AtRule = ();
     type Error = Error;
 }
 
-impl<'i> QualifiedRuleParser<'i> for Style<'i> {
+impl<'i> QualifiedRuleParser<'i> for Declarations<'i> {
     type Prelude = ();
     type QualifiedRule = ();
     type Error = Error;
 }
 
-impl<'i> RuleBodyItemParser<'i, (), Error> for Style<'i> {
+impl<'i> RuleBodyItemParser<'i, (), Error> for Declarations<'i> {
     fn parse_declarations(&self) -> bool {
         true
     }

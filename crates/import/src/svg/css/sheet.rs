@@ -11,7 +11,7 @@ use selectors::SelectorList;
 use selectors::parser::{ParseRelative, SelectorParseErrorKind as Error};
 
 use super::Found;
-use super::declaration::{Declaration, declaration};
+use super::declaration::{Declaration, Declarations};
 use super::media::{is_shown, is_supported};
 use super::selector::{SelectorParser, SvgSelectors};
 
@@ -60,7 +60,7 @@ impl<'i> Sheets<'i> {
             sheets: self,
             layer: Vec::new(),
             parent: None,
-            own: Vec::new(),
+            own: Declarations::default(),
         };
         let mut ignored = 0;
         for rule in StyleSheetParser::new(&mut input, &mut block) {
@@ -99,7 +99,7 @@ struct Block<'s, 'i> {
     layer: Vec<String>,
     /// The selectors of the rule around it.
     parent: Option<SelectorList<SvgSelectors>>,
-    own: Vec<Declaration<'i>>,
+    own: Declarations<'i>,
 }
 
 /// The start of an at-rule.
@@ -133,7 +133,7 @@ impl<'i> Block<'_, 'i> {
             sheets: &mut *self.sheets,
             layer,
             parent,
-            own: Vec::new(),
+            own: Declarations::default(),
         };
         let mut ignored = 0;
         for item in RuleBodyParser::new(input, &mut block) {
@@ -144,8 +144,9 @@ impl<'i> Block<'_, 'i> {
         }
         let own = block.own;
         self.sheets.ignored_rules.add(ignored, self.sheets.at);
+        self.sheets.ignored_values.add(own.ignored, self.sheets.at);
         if let Some(place) = place {
-            self.sheets.rules[place].declarations = own.into();
+            self.sheets.rules[place].declarations = own.valid.into();
         }
     }
 
@@ -284,13 +285,9 @@ impl<'i> DeclarationParser<'i> for Block<'_, 'i> {
         &mut self,
         name: CowRcStr<'i>,
         input: &mut Parser<'i>,
-        _start: &ParserState,
+        start: &ParserState,
     ) -> Result<(), ParseError<Error>> {
-        match declaration(&name, input)? {
-            Some(mut declarations) => self.own.append(&mut declarations),
-            None => self.sheets.ignored_values.add(1, self.sheets.at),
-        }
-        Ok(())
+        self.own.parse_value(name, input, start)
     }
 }
 

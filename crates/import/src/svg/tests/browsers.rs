@@ -332,7 +332,7 @@ fn a_pattern_is_drawn_as_its_lines_inside_the_shape() {
 }
 
 #[test]
-fn a_layer_that_axidraw_does_not_draw_is_left_out_and_other_codes_are_reported() {
+fn a_layer_that_axidraw_does_not_draw_is_left_out_and_unread_codes_are_reported() {
     let layer = |label: &str| {
         format!(
             r#"<g xmlns:i="http://www.inkscape.org/namespaces/inkscape" i:groupmode="layer" i:label="{label}"><path d="M0 5H10" stroke="red"/></g>"#
@@ -341,7 +341,7 @@ fn a_layer_that_axidraw_does_not_draw_is_left_out_and_other_codes_are_reported()
     let content = format!(
         "{}{}{}",
         layer("%guides"),
-        layer("!1 +S30 red"),
+        layer("!1+S30+H40 red"),
         layer("blue")
     );
     let (strokes, warnings) = draw(&content);
@@ -350,7 +350,7 @@ fn a_layer_that_axidraw_does_not_draw_is_left_out_and_other_codes_are_reported()
     assert_eq!(texts.len(), 2);
     assert!(texts[0].contains(": 1 layer: with % before its name: left out, as by AxiDraw"));
     assert!(
-        texts[1].contains("1 layer name: with a pause, speed, height or delay"),
+        texts[1].contains("1 layer name: with a pen height or delay"),
         "{texts:?}"
     );
 }

@@ -464,3 +464,55 @@ proptest! {
         }
     }
 }
+
+/// An Inkscape layer with a red line and others.
+fn layer(label: &str, inner: &str) -> String {
+    format!(
+        r#"<g xmlns:i="http://www.inkscape.org/namespaces/inkscape" i:groupmode="layer" i:label="{label}"><path d="M0 5H10" stroke="red"/>{inner}</g>"#
+    )
+}
+
+#[test]
+fn labels_of_layers_set_pauses_and_speeds_however_the_file_is_split() {
+    let inner = layer("inner", "");
+    let content = [
+        layer("1 first", ""),
+        layer("!2+S50 second", &inner),
+        layer("3 third", ""),
+        layer("4+S50", ""),
+    ];
+    let content = content.concat();
+    // The name, the pause, the speed in mm/s, and the number of lines. An inner layer has its own speed.
+    let split = |by| {
+        let (layers, warnings) = read_by(by, &content);
+        assert_eq!(warnings, []);
+        let layers = layers.into_iter().map(|layer| {
+            let speed = layer.speed_mm_s.map(f64::round);
+            (layer.name, layer.pause, speed, layer.strokes.len())
+        });
+        layers.collect::<Vec<_>>()
+    };
+    let pause = Some("!2+S50 second".to_owned());
+    for (by, name) in [(LayersBy::Nothing, "all"), (LayersBy::Color, "red")] {
+        let name = name.to_owned();
+        assert_eq!(
+            split(by),
+            [
+                (name.clone(), None, None, 1),
+                (name.clone(), pause.clone(), Some(110.0), 2),
+                (name, None, None, 2),
+            ]
+        );
+    }
+    let named = |name: &str, pause, speed, lines| (name.to_owned(), pause, speed, lines);
+    assert_eq!(
+        split(LayersBy::Group),
+        [
+            named("1 first", None, None, 1),
+            named("!2+S50 second", pause, Some(110.0), 1),
+            named("!2+S50 second", None, None, 1),
+            named("3 third", None, None, 1),
+            named("4+S50", None, Some(110.0), 1),
+        ]
+    );
+}
