@@ -16,7 +16,7 @@ main() {
   cp README.md CONTRIBUTING.md CHANGELOG.md SECURITY.md "$site/src"
   cp -r docs/*.md docs/pictures docs/foxglove "$site/src/docs"
   for page in "$site"/src/*.md; do
-    sed -i -E "s#\]\((\.\./\.\./releases)#](${repository}/releases#; s#\]\(((crates|examples|vectors|page|python|tests|LICENSE)[^)]*)#](${repository}/blob/main/\1#g" "$page"
+    sed -i -E "s#\]\(\.\./\.\./(actions|releases)#](${repository}/\1#g; s#\]\(((crates|examples|vectors|page|python|tests|LICENSE)[^)]*)#](${repository}/blob/main/\1#g" "$page"
   done
   for page in "$site"/src/docs/*.md; do
     sed -i -E "s#\]\(\.\./((\.[a-z]|ci\.sh|crates|examples|vectors|page|python|release|tests|fuzz|Cargo|_typos|clippy|rustfmt|LICENSE)[^)]*)#](${repository}/blob/main/\1#g" "$page"

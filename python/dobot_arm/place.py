@@ -77,5 +77,5 @@ def installed_program() -> str | None:
         found = files("dobot-arm") or []
     except PackageNotFoundError:
         return None
-    programs = (os.fspath(file.locate()) for file in found if file.name in ("dobot", "dobot.exe"))
+    programs = (str(file.locate()) for file in found if file.name in ("dobot", "dobot.exe"))
     return next((program for program in programs if os.path.isfile(program)), None)

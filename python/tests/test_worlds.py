@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import dobot_arm as dobot
+from dobot_arm.place import installed_program
 
 SCENES = Path(__file__).parents[2] / "examples" / "scenes"
 DRAWINGS = Path(__file__).parents[2] / "examples" / "drawings"
@@ -195,3 +196,18 @@ def test_an_arm_on_a_serial_port_is_moved_under_the_rules(
         true = served.world.state["arm"]
         assert (true["x_mm"], true["y_mm"], true["z_mm"]) == pytest.approx((220, 40, 20), abs=0.5)
         assert served.events == []
+
+
+def test_the_program_of_a_wheel_is_found_wherever_it_was_installed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    info = tmp_path / "dobot_arm-9.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: dobot-arm\nVersion: 9\n")
+    (info / "RECORD").write_text("bin/dobot,,\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    assert installed_program() is None, "it is only listed"
+    program = tmp_path / "bin" / "dobot"
+    program.parent.mkdir()
+    program.touch()
+    assert installed_program() == str(program)
