@@ -290,6 +290,13 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
   /** Blocks that are not in the program look so. @param {Block} block @param {boolean} isLoose */
   const fade = (block, isLoose) => void block.getSvgRoot().classList.toggle("is-loose", isLoose);
 
+  /** Removes loose blocks that are in the program again, as after an undo. */
+  function removeReturned() {
+    const contentOf = (/** @type {Block} */ block) => JSON.stringify(Blockly.serialization.blocks.save(block, { addNextBlocks: false })).replace(/"id":"[^"]*"/g, "");
+    const inside = new Set(programBlock()?.getDescendants(false).map((block) => contentOf(/** @type {Block} */ (block))));
+    for (const block of workspace.getTopBlocks(false).flatMap(chain)) if (block.type !== PROGRAM && inside.has(contentOf(block))) block.dispose(true);
+  }
+
   /** @param {Block} block */
   function settle(block) {
     block.setDeletable(false);
@@ -344,6 +351,7 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
         const { x, y } = old?.getRelativeToSurfaceXY() ?? { x: 20, y: 20 };
         old?.dispose(false);
         settle(/** @type {Block} */ (Blockly.serialization.blocks.append(/** @type {any} */ ({ ...blockOfProgram(shapes, program), x, y }), workspace)));
+        removeReturned();
         shown = key;
         if (!old) workspace.scroll(0, 0);
       } finally {
