@@ -113,11 +113,23 @@ test("a step is dragged to another place, and an undo in the page brings it back
   await waitForText("# slow");
   const before = await text();
   const [go, speed] = [await blockOf("go to"), await blockOf("speed")];
-  await drag({ x: speed.x + 8, y: speed.y + speed.height - 6 }, { x: go.x + 8, y: go.y + 6 });
-  await page.waitForFunction(() => { const it = localStorage.getItem("dobot.program"); return it.indexOf("# slow") < it.indexOf("go ="); });
+  await drag({ x: speed.x + 6, y: speed.y + 10 }, { x: go.x + 10, y: go.y + 12 });
+  await page.waitForFunction(() => { const it = localStorage.getItem("dobot.program"); return it.includes("# slow") && it.indexOf("speed =") < it.indexOf("go ="); });
   await page.click("#teach-undo");
   await page.waitForFunction((before) => localStorage.getItem("dobot.program") === before, before);
   while ((await blockOf("speed")).y < (await blockOf("go to")).y) await passed(page, 0.1);
+});
+
+test("a step dragged out of the program is not in the text, and comes back only once", async () => {
+  await type('[[steps]]\ngo = { x = 210, y = 0, z = 40 }\n\n[[steps]]\nspeed = { percent = 20 }\n');
+  const speed = await blockOf("speed");
+  await drag({ x: speed.x + 6, y: speed.y + 10 }, { x: speed.x + 250, y: speed.y + 120 });
+  await page.waitForFunction(() => !localStorage.getItem("dobot.program").includes("speed"));
+  await page.waitForSelector(".is-loose");
+  await page.click("#teach-undo");
+  await waitForText("speed");
+  await page.waitForFunction(() => !document.querySelector(".is-loose"));
+  await blockOf("speed");
 });
 
 test("an edit of the text changes the blocks, and a problem marks its block", async () => {

@@ -122,15 +122,16 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
   function fill(block, type, kind) {
     const schema = kind.is === "entry" ? { type: "object", properties: { [VALUE]: kind.schema } } : kind.schema;
     const shape = shapes.of(schema);
-    const first = kind.verb ? kind.verb.verb : VALUE;
+    // The key whose value stands beside the block's name; of an entry it is the whole value.
+    const first = kind.verb ? kind.verb.verb : kind.is === "item" ? shapes.table(kind.schema).required[0] : VALUE;
     const rows = [...block.rows.filter(({ path }) => path[0] === first), ...block.rows.filter(({ path }) => path[0] !== first)];
     const head = block.appendDummyInput("head").appendField(word(type.startsWith("step ") ? /** @type {string} */ (kind.verb?.verb) : type));
     if (kind.is === "entry") head.appendField(new Blockly.FieldTextInput(""), NAME);
     let line = head;
     /** @type {string | undefined} */ let root = first;
     for (const { path, form } of rows) {
-      const [key] = path;
-      const label = (path.length === 1 || path[0] !== VALUE ? path.at(-1) : path.at(-1)) ?? "";
+      const own = kind.is === "entry" ? path.slice(1) : path;
+      const [key] = own;
       const isNew = key !== root;
       root = key;
       if (form === "list" || form === "map") {
@@ -139,14 +140,14 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
         const list = lists.find((each) => each.kind === form);
         const input = block.appendStatementInput(nameOf(path));
         if (list?.kind === "list" || list?.kind === "map") input.setCheck(typeIn(shapes, list));
-        if (path.length > 1 || key !== first) input.appendField(wordsOf(path));
+        if (own.length > 1 || key !== first) input.appendField(wordsOf(own));
         line = input;
         root = undefined;
         continue;
       }
-      if (isNew) line = block.appendEndRowInput(nameOf(path));
-      if (path.length > 1 && isNew) line.appendField(word(/** @type {string} */ (key)));
-      if (path.length > 1 ? path.at(-1) !== VALUE : key !== first) line.appendField(word(label));
+      if (isNew && kind.is !== "entry") line = block.appendEndRowInput(nameOf(path));
+      if (own.length > 1 && isNew) line.appendField(word(/** @type {string} */ (key)));
+      if (own.length > 1 || (own.length && key !== first)) line.appendField(word(/** @type {string} */ (own.at(-1))));
       line.appendField(field(form, shapeAt(shapes, shape, path), about(path, kind)), nameOf(path));
     }
     if (offersOf(shapes, kind, block.rows).length && !block.isInFlyout) block.getInput("head")?.appendField(new OfferMenu(() => offers(block, kind), (index) => take(block, kind, index), t("blocks.more")));
@@ -294,6 +295,13 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
   /** Blocks that are not in the program look so. @param {Block} block @param {boolean} isLoose */
   const fade = (block, isLoose) => void block.getSvgRoot().classList.toggle("is-loose", isLoose);
 
+  /** Removes loose blocks that are in the program again, as after an undo. */
+  function removeReturned() {
+    const contentOf = (/** @type {Block} */ block) => JSON.stringify(Blockly.serialization.blocks.save(block, { addNextBlocks: false })).replace(/"id":"[^"]*"/g, "");
+    const inside = new Set(programBlock()?.getDescendants(false).map((block) => contentOf(/** @type {Block} */ (block))));
+    for (const block of workspace.getTopBlocks(false).flatMap(chain)) if (block.type !== PROGRAM && inside.has(contentOf(block))) block.dispose(true);
+  }
+
   /** @param {Block} block */
   function settle(block) {
     block.setDeletable(false);
@@ -348,6 +356,7 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
         const { x, y } = old?.getRelativeToSurfaceXY() ?? { x: 20, y: 20 };
         old?.dispose(false);
         settle(/** @type {Block} */ (Blockly.serialization.blocks.append(/** @type {any} */ ({ ...blockOfProgram(shapes, program), x, y }), workspace)));
+        removeReturned();
         shown = key;
         if (!old) workspace.scroll(0, 0);
       } finally {
