@@ -34,8 +34,9 @@ def connect(
 
 def script() -> str:
     """Returns the name of the file of the running script, or ``python`` if there is none."""
-    name = "".join(letter for letter in os.path.basename(sys.argv[0]) if letter.isprintable())
-    return name[:60] if name not in ("", "-c", "-m", "-") else "python"
+    file = os.path.basename(sys.argv[0]) if sys.argv else ""
+    name = "".join(letter for letter in file if letter.isprintable()).strip()[:60]
+    return name if name not in ("", "-c", "-m", "-") else "python"
 
 
 def scene(world: str | os.PathLike[str] | None) -> str | None:

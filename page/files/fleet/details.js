@@ -1,5 +1,6 @@
 // Details of one arm of the fleet: state, jobs and actions.
 
+import { clientName } from "../views/people.js";
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { stops } from "../input/stop_button.js";
@@ -74,7 +75,7 @@ function reasons({ t }, { presence, state }) {
 function numbers({ t }, { about, state }) {
   const arm = state?.arm, lease = state?.lease;
   /** @type {[TextKey, string][]} */ const rows = [
-    ["fleet.control", lease ? t("fleet.control.for", { name: lease.name, time: formatDuration(t, state.at_s - lease.since_s) }) : t("fleet.free")],
+    ["fleet.control", lease ? t("fleet.control.for", { name: clientName(t, lease), time: formatDuration(t, state.at_s - lease.since_s) }) : t("fleet.free")],
     ["fleet.asks", lease?.asked_by.map(({ name }) => name).join(", ") || "–"],
     ["fleet.where", arm ? ["x_mm", "y_mm", "z_mm"].map((axis) => Math.round(Number(arm[/** @type {"x_mm"} */ (axis)]))).join(", ") + " mm" : "–"],
     ["watch.statuses", t("watch.statuses.value", { rate: state?.link.statuses_per_s.toFixed(1) ?? "–" })],

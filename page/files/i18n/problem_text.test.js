@@ -28,3 +28,9 @@ test("a hint without a command is shown, and an unknown type is shown as the sta
   assert.equal(problemText(t, problem("bad-drawing", "it has no lines", "choose another file")), "It cannot be drawn: it has no lines. Choose another file.");
   assert.equal(problemText(t, problem("of-the-future", "the moon is up")), "A title: the moon is up.");
 });
+
+test("lengths have two decimals at most; addresses and small amounts stay as they are", () => {
+  const t = translator("en");
+  assert.equal(problemText(t, problem("command", "distance from pivot to wrist is 845.0306 mm; the arm allows 60 to 295 mm: 550.0306 mm too far")), "The arm cannot do this: distance from pivot to wrist is 845.03 mm; the arm allows 60 to 295 mm: 550.03 mm too far.");
+  assert.equal(problemText(t, problem("ending", "192.168.1.700 is 0.0004 mm off")), "The station is shutting down: 192.168.1.700 is 0.0004 mm off.");
+});

@@ -139,7 +139,7 @@ export function createSocket({ store, http }) {
     isOpen,
     ask,
     takeControlIfFree,
-    /** Connects anew, under the current name. */
+    /** Reconnects, under the current name. */
     again: () => isOpen() && reconnect(),
   };
 }

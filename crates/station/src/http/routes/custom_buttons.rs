@@ -70,7 +70,7 @@ async fn remove(
     Ok(Json(left))
 }
 
-/// Tells all pages that the buttons have changed.
+/// Notifies all pages that the buttons have changed.
 fn announce(requester: &Requester, what: &str) {
     let text = format!("{} {what}", requester.caller.name);
     requester.app.handle.report_buttons(text);
