@@ -39,6 +39,17 @@ fn the_sheet_is_drawn_and_a_scaled_print_is_refused() {
 }
 
 #[test]
+fn a_page_of_markers_is_drawn_and_those_of_the_sheet_are_refused() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let page = folder.path().join("markers.svg");
+    let name = page.to_str().expect("the path is text");
+    dobot(&["markers", name, "--last", "6"]).succeeds();
+    let text = fs::read_to_string(&page).expect("it was written");
+    assert!(text.contains(">6 (20 mm)<") && !text.contains(">7 (20 mm)<"));
+    dobot(&["markers", name, "--first", "3"]).fails(1, &["allowed are 4 to 49"]);
+}
+
+#[test]
 fn a_calibration_can_be_brought_back() {
     let folder = tempfile::tempdir().expect("there is room");
     let file = folder.path().join("arm.toml");

@@ -326,9 +326,9 @@ fn common_mistakes_are_shown_with_the_correct_line() {
 
 #[test]
 fn a_marker_that_is_seen_is_asked_for_by_its_number() {
-    let text = "[[steps]]\ngo = { from = \"seen\", marker = 7, timeout = 2 }\n";
-    let program = Program::from_toml(text).unwrap();
-    let path = compiled(text, &[]);
+    let text = format!("{GO}[[steps]]\ngo = {{ from = \"seen\", marker = 7, timeout = 2 }}\n");
+    let program = Program::from_toml(&text).unwrap();
+    let path = compiled(&text, &[]);
     let asked = path.question.unwrap();
     assert_eq!(
         asked.question,
