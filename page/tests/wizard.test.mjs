@@ -11,9 +11,9 @@ after(() => bench.end());
 async function goTo(place) {
   await page.click("#tab-move");
   await typeTarget(page, place);
-  await page.waitForFunction(() => !document.querySelector("#go").disabled);
-  await page.click("#go");
-  await page.waitForFunction((place) => Object.entries(place).every(([name, mm]) => Math.abs(Number(document.querySelector(`[data-pose=${name}_mm]`).textContent) - mm) < 0.3), place);
+  await page.waitForFunction(() => !document.querySelector("#target-go").disabled);
+  await page.click("#target-go");
+  await page.waitForFunction((place) => Object.entries(place).every(([name, mm]) => Math.abs(Number(document.querySelector(`[data-pose=${name}]`).textContent) - mm) < 0.3), place);
   await rest(page);
   await page.click("#tab-teach");
 }
@@ -23,7 +23,7 @@ test("a tray from three touched corners and 2 x 2 x 2 is visited cell by cell", 
   await rest(page);
   await page.click("#tab-teach");
   await page.click("#wizard summary");
-  for (const [n, place] of [{ x: 200, y: 40, z: 20 }, { x: 230, y: 40, z: 20 }, { x: 200, y: 80, z: 20 }].entries()) {
+  for (const [n, place] of [[200, 40], [230, 40], [200, 80]].map(([x_mm, y_mm]) => ({ x_mm, y_mm, z_mm: 20 })).entries()) {
     await goTo(place);
     if (!(await page.locator("#wizard").evaluate((it) => it.open))) await page.click("#wizard summary");
     await page.click(`[data-touch="${n}"]`);

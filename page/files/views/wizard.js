@@ -36,8 +36,8 @@ export function wizard(context) {
       </ol>
       ${kind === "tray" ? html`
         <div class="row">
-          ${COUNTS.map((count) => html`<label>${t(`wizard.${count}`)} <input id="wizard-${count}" class="wizard-count" type="number" min="1" max="1000" step="1" .value=${live(String(page.teach.wizard[count]))} @change=${(/** @type {Event} */ event) => set({ [count]: Number(text(event)) })}></label>`)}
-          ${layers > 1 ? html`<label>${t("wizard.layer_mm")} <input id="wizard-layer-mm" class="wizard-count" type="number" step="any" .value=${live(String(layer_mm))} @change=${(/** @type {Event} */ event) => set({ layer_mm: Number(text(event)) })}> mm</label>` : nothing}
+          ${COUNTS.map((count) => html`<label>${t(`wizard.${count}`)} <input id="wizard-${count}" class="wizard-count" type="number" min="1" max="1000" step="1" .value=${live(String(page.teach.wizard[count]))} @input=${(/** @type {Event} */ event) => set({ [count]: Number(text(event)) })}></label>`)}
+          ${layers > 1 ? html`<label>${t("wizard.layer_mm")} <input id="wizard-layer-mm" class="wizard-count" type="number" step="any" .value=${live(String(layer_mm))} @input=${(/** @type {Event} */ event) => set({ layer_mm: Number(text(event)) })}> mm</label>` : nothing}
         </div>` : nothing}
       <div class="row"><button id="wizard-add" type="button" ?disabled=${!ready} @click=${() => void act.teach.addTouched()}>${t("wizard.add")}</button></div>
       <p class="quiet">${t(`wizard.${kind}.hint`)}</p>
