@@ -5,7 +5,8 @@ import { test } from "node:test";
 
 import { parse, stringify } from "../vendor/smol-toml/index.js";
 import { beginBlock, blockOfProgram, blockOfStep, blocksIn, kindsOf, nameOf, offersOf, programOf, taken } from "./convert.js";
-import { GROUPS, words } from "./labels.js";
+import { BLOCK_WORDS } from "../i18n/i18n.js";
+import { GROUPS } from "./labels.js";
 import { fromRaw, rawOf } from "./rows.js";
 import { Shapes } from "./shapes.js";
 
@@ -158,6 +159,6 @@ test("the words on the blocks are those of keys and values that exist, and each 
     for (const inner of Object.values(node)) visit(inner);
   };
   visit(schema);
-  for (const [language, all] of Object.entries(words())) assert.deepEqual(Object.keys(all).filter((key) => !known.has(key)), [], language);
+  for (const [language, all] of Object.entries(BLOCK_WORDS)) assert.deepEqual(Object.keys(all).filter((key) => !known.has(key)), [], language);
   assert.deepEqual(Object.values(GROUPS).flat().filter((type) => !kinds.has(type)), []);
 });

@@ -1038,3 +1038,14 @@ export const de = {
   "problem.files-unusable": "Die Dateien können nicht gelesen oder gespeichert werden: {detail}.",
   "problem.no-such-file": "Diese Datei wurde gelöscht.",
 };
+
+/** The words on the blocks of a program that differ from their keys. @type {Record<string, string>} */
+export const blocks = {
+  program: "Programm", here: "hier", "item When": "Antwort", "entry Point": "Punkt", "entry Grid": "Palette", "entry Frame": "Koordinatensystem", "entry MountedTool": "Werkzeug", "entry integer": "Variable",
+  go: "fahre zu", pick: "nimm auf bei", place: "lege ab bei", laser: "Laser", wait: "warte auf einen Menschen", barrier: "warte auf die anderen Arme bei", speed: "Tempo", tool: "Werkzeug", repeat: "wiederhole", each: "für jede Zelle von", call: "rufe Programm", arc: "Bogen", circle: "Kreis", drawing: "zeichne",
+  choose: "frage", set: "setze", add: "addiere", while: "solange", steps: "Schritte", title: "Titel", start_speed_percent: "erste Bewegung, %", points: "Punkte", grids: "Paletten", frames: "Koordinatensysteme", tools: "Werkzeuge", variables: "Variablen",
+  path: "Bahn", offset: "Versatz", suction: "Sauger", gripper: "Greifer", pause: "Pause", by: "beantwortet von", every: "jedes wievielte Mal", timeout: "Zeitlimit", otherwise: "sonst", when: "Antworten", answer: "Antwort", approach: "Anfahrhöhe", retreat: "Rückzugshöhe", settle: "Beruhigungszeit", on_missed: "wenn nichts gegriffen wurde", retries: "Versuche",
+  rotation: "Drehung", frame: "Koordinatensystem", base: "Basis", rear: "Oberarm", fore: "Unterarm", servo: "Servo", from: "vorgegeben als", kind: "Art", length: "Länge", origin: "Ursprung", at: "erste Zelle", columns: "Spalten", rows: "Zeilen", layers: "Lagen", pitch: "Abstand", through: "über", to: "bis", tolerance: "Toleranz",
+  file: "Datei", pen_down: "Stifthöhe", options: "Optionen", percent: "%", acceleration_percent: "Beschleunigung, %", joint: "Gelenk", joint_acceleration: "Gelenkbeschleunigung", servo_acceleration: "Servobeschleunigung", line: "Linie", line_acceleration: "Linienbeschleunigung", jump_height: "Sprunghöhe",
+  true: "an", false: "aus", forever: "endlos", person: "Mensch", seen: "gesehen", skip: "auslassen", suction_cup: "Saugnapf", pen: "Stift",
+};

@@ -1040,3 +1040,12 @@ export const en = {
   "problem.files-unusable": "The files cannot be read or saved: {detail}.",
   "problem.no-such-file": "This file was deleted.",
 };
+
+/** The words on the blocks of a program that differ from their keys. @type {Record<string, string>} */
+export const blocks = {
+  program: "program", here: "here", "item When": "answer", "entry Point": "point", "entry Grid": "grid", "entry Frame": "frame", "entry MountedTool": "tool", "entry integer": "variable",
+  go: "go to", pick: "pick up at", place: "put down at", each: "for each cell of", call: "call program", arc: "arc", drawing: "draw", choose: "ask", repeat: "repeat", wait: "wait for a person",
+  barrier: "wait for the other arms at", set: "set", add: "add", start_speed_percent: "first motion, %", on_missed: "if it was missed", pen_down: "pen height", acceleration_percent: "acceleration, %", percent: "%",
+  joint_acceleration: "joint acceleration", servo_acceleration: "servo acceleration", line_acceleration: "line acceleration", jump_height: "jump height", when: "answers", from: "given as", otherwise: "otherwise",
+  true: "on", false: "off", suction_cup: "suction cup",
+};

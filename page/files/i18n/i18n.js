@@ -1,15 +1,18 @@
 // The texts of the page in each language. Texts from the station (refusals, notices) are in English.
 
-import { de } from "./de.js";
-import { en } from "./en.js";
-import { zh } from "./zh.js";
+import { blocks as deBlocks, de } from "./de.js";
+import { blocks as enBlocks, en } from "./en.js";
+import { blocks as zhBlocks, zh } from "./zh.js";
 
 /** @typedef {keyof typeof en} TextKey */
 /** @typedef {keyof typeof TEXTS} Language */
 /** Returns the text of a key, with each `{name}` replaced by its value. @typedef {(key: TextKey, values?: Record<string, string | number>) => string} Translate */
 
-/** The languages, each with all texts. Another language is a file like `en.js` and an entry here. */
+/** The languages, each with all texts. Another language is a file like `en.js` and its entries here. */
 export const TEXTS = { en, de, zh };
+
+/** The words on blocks in each language. */
+export const BLOCK_WORDS = { en: enBlocks, de: deBlocks, zh: zhBlocks };
 
 /** The key of a control's label in the text of a lesson: [tab.move]. */
 export const LABEL = /\[([a-z_.]+)\]/;

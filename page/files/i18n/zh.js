@@ -1041,3 +1041,14 @@ export const zh = {
   "problem.files-unusable": "无法读取或保存文件：{detail}。",
   "problem.no-such-file": "此文件已被删除。",
 };
+
+/** The words on the blocks of a program that differ from their keys. @type {Record<string, string>} */
+export const blocks = {
+  program: "程序", here: "在此处", "item When": "答案", "entry Point": "点", "entry Grid": "阵列", "entry Frame": "坐标系", "entry MountedTool": "工具", "entry integer": "变量",
+  go: "移动到", pick: "拾取于", place: "放置于", laser: "激光", wait: "等待人员", barrier: "等待其他机械臂于", speed: "速度", tool: "工具", repeat: "重复", each: "遍历每一格", call: "调用程序", arc: "圆弧", circle: "整圆", drawing: "绘图",
+  choose: "提问", set: "设置", add: "增加", while: "当", steps: "步骤", title: "标题", start_speed_percent: "首次运动 %", points: "点", grids: "阵列", frames: "坐标系", tools: "工具", variables: "变量",
+  path: "路径", offset: "偏移", suction: "吸盘", gripper: "夹爪", pause: "暂停", by: "由谁回答", every: "每第几次", timeout: "超时", otherwise: "否则", when: "答案", answer: "答案", approach: "接近高度", retreat: "退回高度", settle: "稳定时间", on_missed: "如未拾到", retries: "重试",
+  rotation: "旋转", frame: "坐标系", base: "底座", rear: "大臂", fore: "小臂", servo: "舵机", from: "运行时给定", kind: "类型", length: "长度", origin: "原点", at: "首格", columns: "列", rows: "行", layers: "层", pitch: "间距", through: "经过", to: "到", tolerance: "容差",
+  file: "文件", pen_down: "落笔高度", options: "选项", percent: "%", acceleration_percent: "加速度 %", joint: "关节", joint_acceleration: "关节加速度", servo_acceleration: "舵机加速度", line: "直线", line_acceleration: "直线加速度", jump_height: "跳跃高度",
+  true: "开", false: "关", forever: "一直", person: "人", seen: "看到的", skip: "跳过", jump: "跳跃", movl: "直线", movj: "关节", suction_cup: "吸盘", pen: "笔",
+};
