@@ -120,8 +120,8 @@ const QUEUE: usize = 32;
 const RETRIES: [Duration; 4] = [
     Duration::from_secs(1),
     Duration::from_secs(10),
-    Duration::from_mins(1),
-    Duration::from_mins(5),
+    Duration::from_secs(60),
+    Duration::from_secs(300),
 ];
 
 #[cfg(test)]
