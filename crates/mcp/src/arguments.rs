@@ -38,14 +38,13 @@ pub(crate) struct Nothing {}
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ToPoint {
-    /// The distance forward of the base's axis, in millimetres.
+    /// Forward of the base axis, in mm.
     x_mm: f64,
-    /// The distance to the left of it, in millimetres.
+    /// To the left of it, in mm.
     y_mm: f64,
-    /// The height above the rear arm's pivot, in millimetres; the table is about 103 mm below it.
+    /// Above the rear arm's pivot, in mm; the table is about 103 mm below it.
     z_mm: f64,
-    /// The rotation of the tool relative to the base frame, in degrees; by default the servo does
-    /// not move.
+    /// The rotation of the tool in the base frame, in degrees; omitted, the servo does not move.
     rotation_deg: Option<f64>,
     #[serde(flatten)]
     there: There,
@@ -61,7 +60,7 @@ pub(crate) struct ToJoints {
     rear_deg: f64,
     /// The forearm, in degrees below the horizontal; -10 to 95.
     fore_deg: f64,
-    /// The servo of the tool, in degrees; -90 to 90. Omitted, it does not move.
+    /// The servo, in degrees; -90 to 90.
     servo_deg: Option<f64>,
     #[serde(flatten)]
     there: There,
@@ -70,19 +69,21 @@ pub(crate) struct ToJoints {
 /// The path to the target, and the tool state there.
 #[derive(Debug, Deserialize, JsonSchema)]
 struct There {
-    /// The path: jump lifts, moves across and lowers; movl moves in a straight line; movj moves all
-    /// joints together.
+    /// jump lifts, moves across and lowers; movl is straight; movj turns all joints together.
+    #[serde(default)]
+    #[schemars(with = "Path")]
     path: Option<Path>,
-    /// Whether the pump of the suction cup is on after the move.
+    /// Whether the suction cup's pump runs then.
     suction: Option<bool>,
-    /// The gripper's angle after the move, in degrees from -90 to 90.
+    /// The gripper's angle then, -90 to 90 degrees.
     gripper_deg: Option<f64>,
-    /// The time to wait there, in seconds.
+    /// Seconds to wait there, 0 to 655.
     pause_s: Option<f64>,
 }
 
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
+#[schemars(inline)]
 enum Path {
     Jump,
     Movl,
@@ -174,11 +175,11 @@ impl CheckMove {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct NewDrawing {
-    /// A text, drawn in single-line letters.
+    /// A text.
     pub(crate) text: Option<String>,
     /// A whole SVG document.
     pub(crate) svg: Option<String>,
-    /// A file in the folder for agents: SVG, DXF, G-code, images and others.
+    /// A file in the folder for agents.
     pub(crate) file: Option<String>,
     /// Options in groups, such as {"place": {"pen_down": -40}, "tool": {"speed": 30}}; the resource
     /// dobot://drawing-options describes them.
@@ -193,7 +194,7 @@ pub(crate) struct NewDrawing {
 pub(crate) struct PlannedDrawing {
     /// The number returned by `plan_drawing`.
     pub(crate) drawing: u64,
-    /// How long to wait for its end, in seconds; it continues afterwards.
+    /// Seconds to wait for its end, 0 to 3600; it continues afterwards.
     #[serde(default = "half_a_minute")]
     #[schemars(range(min = 0.0, max = 3600.0))]
     pub(crate) wait_s: f64,
@@ -207,7 +208,7 @@ pub(crate) struct ProgramArguments {
     pub(crate) text: Option<String>,
     /// A TOML file in the folder for agents.
     pub(crate) file: Option<String>,
-    /// The texts of the programs and drawings that it uses, by the names used in it.
+    /// The texts of the programs and drawings that it uses, by name.
     #[serde(default)]
     pub(crate) files: BTreeMap<String, String>,
 }
@@ -216,12 +217,13 @@ pub(crate) struct ProgramArguments {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RunProgram {
-    /// The program.
+    /// The arguments of `check_program`.
+    #[schemars(with = "JsonObject")]
     pub(crate) program: ProgramArguments,
     /// The number of repetitions; by default that of the program.
     #[schemars(range(min = 1))]
     pub(crate) times: Option<u64>,
-    /// How long to wait for its end, in seconds; it continues afterwards.
+    /// Seconds to wait for its end, 0 to 3600; it continues afterwards.
     #[serde(default = "half_a_minute")]
     #[schemars(range(min = 0.0, max = 3600.0))]
     pub(crate) wait_s: f64,
@@ -238,9 +240,9 @@ pub(crate) struct ProgramText {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct WhichJobs {
-    /// The number of one job; by default all unfinished and the latest finished jobs.
+    /// One job; omitted, all unfinished and the latest finished ones.
     pub(crate) job: Option<u64>,
-    /// How long to wait until that job stops running, in seconds.
+    /// Seconds to wait until that job stops running, 0 to 3600.
     #[serde(default)]
     #[schemars(range(min = 0.0, max = 3600.0))]
     pub(crate) wait_s: f64,
@@ -252,9 +254,9 @@ pub(crate) struct WhichJobs {
 pub(crate) struct ChangeJob {
     /// Its number.
     pub(crate) job: u64,
-    /// The action.
+    /// A cancelled job cannot be resumed.
     pub(crate) action: JobAction,
-    /// With `resume`: how long to wait for its end, in seconds; it continues afterwards.
+    /// Seconds to wait for its end after `resume`, 0 to 3600.
     #[serde(default = "half_a_minute")]
     #[schemars(range(min = 0.0, max = 3600.0))]
     pub(crate) wait_s: f64,
@@ -262,12 +264,10 @@ pub(crate) struct ChangeJob {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
+#[schemars(inline)]
 pub(crate) enum JobAction {
-    /// Lift the tool and pause; the job can be resumed.
     Pause,
-    /// Start or resume the job.
     Resume,
-    /// End the job for good.
     Cancel,
 }
 
@@ -279,9 +279,11 @@ pub(crate) struct AnswerJob {
     pub(crate) job: u64,
     /// One of the possible answers.
     pub(crate) answer: Option<String>,
-    /// The position that it asks for: that of the tool's tip in the base frame.
+    /// The position that it asks for: `x_mm`, `y_mm` and `z_mm` of the tool's tip, and optionally
+    /// `rotation_deg`.
+    #[schemars(with = "Option<JsonObject>")]
     pub(crate) place: Option<GivenPlace>,
-    /// How long to wait for the end of the job, in seconds; it continues afterwards.
+    /// Seconds to wait for its end, 0 to 3600; it continues afterwards.
     #[serde(default = "half_a_minute")]
     #[schemars(range(min = 0.0, max = 3600.0))]
     pub(crate) wait_s: f64,

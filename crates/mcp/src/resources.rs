@@ -8,7 +8,6 @@ use schemars::schema_for;
 use serde_json::{Value, json};
 
 use crate::call::Call;
-use crate::tools::shorten;
 
 /// Returns all resources.
 pub(crate) fn list() -> Vec<Resource> {
@@ -54,7 +53,6 @@ pub(crate) async fn read(call: &Call, uri: &str) -> Result<ResourceContents, Err
     let text = match uri {
         OPTIONS => {
             let mut schema = json!(schema_for!(Options));
-            shorten(&mut schema);
             schema["description"] =
                 "The options of a drawing, in groups; lengths in mm, angles in degrees.".into();
             schema.to_string()

@@ -40,14 +40,11 @@ impl ToolRow {
         let mut hints = ToolAnnotations::default();
         hints.read_only_hint = (self.effect == Effect::Reads).then_some(true);
         hints.idempotent_hint = (self.effect == Effect::Stops).then_some(true);
-        hints.open_world_hint = Some(false);
         let fields = self.output.iter();
         let properties = fields.map(|(name, kind)| ((*name).to_owned(), output_type(kind)));
         let mut output = JsonObject::new();
         output.insert("type".to_owned(), "object".into());
         output.insert("properties".to_owned(), Value::Object(properties.collect()));
-        let required: Vec<&str> = self.output.iter().map(|(name, _)| *name).collect();
-        output.insert("required".to_owned(), required.into());
         Tool::new(self.name, self.description, Arc::new((self.input)()))
             .with_title(self.title)
             .with_raw_output_schema(Arc::new(output))
@@ -74,12 +71,30 @@ fn input<T: JsonSchema + 'static>() -> JsonObject {
     JsonObject::new()
 }
 
-/// Removes the names of types, formats and null for omitted values.
-pub(crate) fn shorten(schema: &mut Value) {
+/// Returns the schema of `move_joints`; path and tool are those of `move_to`.
+fn input_of_joints() -> JsonObject {
+    let mut schema = input::<ToJoints>();
+    for name in ["path", "suction", "gripper_deg", "pause_s"] {
+        if let Some(Value::Object(argument)) = schema["properties"].get_mut(name) {
+            argument.remove("description");
+        }
+    }
+    schema
+}
+
+/// Removes what the descriptions say as well: the names of types, formats, ranges, defaults, and null for omitted
+/// values.
+fn shorten(schema: &mut Value) {
     match schema {
         Value::Object(fields) => {
-            for name in ["$schema", "format", "default"] {
+            for name in ["$schema", "format", "default", "minimum", "maximum"] {
                 fields.remove(name);
+            }
+            if fields
+                .get("additionalProperties")
+                .is_some_and(Value::is_boolean)
+            {
+                fields.remove("additionalProperties");
             }
             if fields.get("title").is_some_and(Value::is_string) {
                 fields.remove("title");
@@ -105,12 +120,7 @@ pub(crate) const TOOLS: [ToolRow; 12] = [
         title: "Look at the arm",
         description: "Returns where the arm is, why it cannot move (`alarms`), who controls it, and its unfinished jobs.",
         input: input::<Nothing>,
-        output: &[
-            ("arm", "object?"),
-            ("alarms", "array"),
-            ("jobs", "array"),
-            ("role", "string"),
-        ],
+        output: &[("arm", "object?"), ("alarms", "array"), ("jobs", "array")],
         effect: Effect::Reads,
     },
     ToolRow {
@@ -132,8 +142,8 @@ pub(crate) const TOOLS: [ToolRow; 12] = [
     ToolRow {
         name: "move_joints",
         title: "Move the joints",
-        description: "Moves the joints to angles, and returns when the arm is at rest.",
-        input: input::<ToJoints>,
+        description: "Moves the joints to angles, and returns when the arm is at rest. Path and tool are as for `move_to`.",
+        input: input_of_joints,
         output: &[("arm", "object?")],
         effect: Effect::Acts,
     },
@@ -201,7 +211,7 @@ pub(crate) const TOOLS: [ToolRow; 12] = [
     ToolRow {
         name: "stop",
         title: "Stop the arm",
-        description: "Stops the arm, with or without control. It stays stopped until a person has checked it and resets the stop.",
+        description: "Stops the arm. It stays stopped until a person has checked it and resets the stop.",
         input: input::<StopArguments>,
         output: &[("rests_within_s", "number")],
         effect: Effect::Stops,
@@ -232,7 +242,6 @@ mod tests {
             );
             assert_eq!(tool["inputSchema"]["type"], "object", "{name}");
             assert_eq!(tool["outputSchema"]["type"], "object", "{name}");
-            assert!(tool["annotations"]["openWorldHint"] == false, "{name}");
         }
     }
 
