@@ -441,6 +441,8 @@ mod tests {
         let stopped = with(|state| {
             state.stop = Some(StopView {
                 by: "me".into(),
+                device: None,
+                client: None,
                 reason: None,
                 at_s: 0.0,
                 rests_by_s: 0.0,

@@ -53,8 +53,9 @@ fn answer(file: &File, headers: &HeaderMap) -> Result<Response, RequestFailed> {
         let encoding = [(CONTENT_ENCODING, "gzip")];
         return Ok((about, kind, encoding, Body::from(file.gzip)).into_response());
     }
-    let plain =
-        file.content().map_err(|error| RequestFailed(INTERNAL.problem(error.to_string())))?;
+    let plain = file
+        .content()
+        .map_err(|error| RequestFailed(INTERNAL.problem(error.to_string())))?;
     Ok((about, kind, Body::from(plain)).into_response())
 }
 
