@@ -69,6 +69,7 @@ async fn serve(mut messages: mpsc::Receiver<Message>, news: Arc<FakeNews>, asked
                 person,
                 role,
                 reply,
+                device: _,
             } => {
                 if name == "refused" {
                     refusing.insert(ClientId(next));
