@@ -50,7 +50,7 @@ enum Action {
         #[command(flatten)]
         scope: ScopeArgs,
     },
-    /// Print the service file, for packages and machines without a service manager
+    /// Print the service file, for packages and other service managers
     Print {
         #[command(flatten)]
         scope: ScopeArgs,
