@@ -1,4 +1,8 @@
 //! The list of checks.
+//!
+//! To add one, add a `Probe`, its row in [`Check::ALL`] and its line in `make`; the function in
+//! `src/checks/`; its preconditions (`lacks` in `src/suite.rs`); its row in `docs/conformance.md`;
+//! and a test with a controller that has exactly this fault (`tests/`).
 
 use std::future::ready;
 use std::pin::Pin;

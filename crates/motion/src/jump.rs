@@ -157,7 +157,9 @@ fn vertical(height: Millimeters, speeds: &Speeds) -> Result<Profile, PlanError> 
 /// line's.
 ///
 /// At a rate `u'` and its change `u''` (shares of the path per s and s2), the acceleration is at
-/// most `length u'' + bend u'^2`: the first term along the path, the second from its curvature. At
+/// most `length u'' + bend u'^2`: the first term along the path, the second from its curvature.
+/// With the change `way` of reach, the change `turn` of the base angle, and the larger `reach` of
+/// the two ends, `length = hypot(way, reach turn)` and `bend = turn hypot(reach turn, 2 way)`. At
 /// full rate the curvature may use half of the limit; the ramps get the rest.
 fn across(
     way: Polar,

@@ -1,20 +1,21 @@
 //! The volume swept between two points of a path: bounds that hold for every point between.
 //!
 //! On each segment of a path, the same quantities change evenly with a share `u` from 0 to 1: the
-//! tool's position on a line; its reach, height and base angle in a JUMP; the four joint angles in a
-//! MOVJ. The joints of a stock arm have ramps of their own (note N45): there `u` is the share of the
-//! joint with the shortest ramps, and the second derivatives of the others are bounded too. If a
-//! quantity goes from `a` to `b` and its second derivative by `u` is at most `m`, then
+//! tool's position on a line; its reach, height and base angle in a JUMP; the four joint angles in
+//! a MOVJ. The joints of a stock arm have ramps of their own (note N45): there `u` is the share of
+//! the joint with the shortest ramps, and the second derivatives of the others are bounded too. If
+//! a quantity goes from `a` to `b` and its second derivative by `u` is at most `m`, then
 //!
 //! * it differs from the straight line between `a` and `b` by at most `m / 8`;
 //! * if `|b - a|` is at least `m / 2`, it does not turn back: it stays between `a` and `b`.
 //!
 //! The joint rates bound everything else. Let the tool's path in the upright plane of the arm have
-//! length `s` and second derivative `t`, and let `c` be the least cosine of rear minus forearm angle
-//! on it. Each end of a link moves by at most `s / c`, and the second derivatives of `135 rear` and
-//! `160 fore` (in radians) are at most `(t + (s/c)^2 (1/135 + 1/160)) / c`. For a point at distance
-//! `r` from the axis, while the base turns with `B'` and `B''`, add `r (B'^2 + B'') + 2 s B'`. The
-//! distance from pivot to wrist gives `c`; within the limits of a stock arm it is at least 0.46.
+//! length `s` and second derivative `t`, and let `c` be the least cosine of rear minus forearm
+//! angle on it. Each end of a link moves by at most `s / c`, and the second derivatives of
+//! `135 rear` and `160 fore` (in radians) are at most `(t + (s/c)^2 (1/135 + 1/160)) / c`. For a
+//! point at distance `r` from the axis, while the base turns with `B'` and `B''`, add
+//! `r (B'^2 + B'') + 2 s B'`. The distance from pivot to wrist gives `c`; within the limits of a
+//! stock arm it is at least 0.46.
 
 use dobot_arm::{Calibration, FOREARM, Joints, Pose, REAR_ARM, Tool};
 use dobot_motion::{ArmPlace, Interpolation, TurnBounds};

@@ -47,13 +47,10 @@ impl Row {
 
     fn text(&self) -> String {
         format!(
-            "| `{}` | {} | {} | {} | {} | {} | {} | {} |\n",
+            "| `{}` | {} | {} | {} | {} |\n",
             self.name,
             shows(&self.name),
             self.statuses(),
-            number(self.mm()),
-            number(self.deg()),
-            number(self.pulses()),
             self.outputs(),
             self.printed(),
         )
@@ -155,8 +152,8 @@ allows no difference, and fails if this page is not the output of `cargo run -p 
 ";
 
 const TABLE_HEAD: &str = "\
-| recording | what it shows | statuses | mm | degrees | pulses | outputs | text |
-|---|---|---:|---:|---:|---:|---|---|
+| recording | what it shows | statuses | outputs | text |
+|---|---|---:|---|---|
 ";
 
 const SCRIPTS: &str = "

@@ -394,8 +394,8 @@ fn motion(row: &Guarded) -> String {
 
 const HEAD: &str = "# Reliability
 
-For everyone who wants to know what arm, laser and drawing do when something fails: the tested failures, and their outcome.
-Measured with the station's supervisor, virtual arms and a real journal in virtual time; never on a real arm.
+For everyone who wants to know what arm, laser and drawing do when something fails. Measured with the station's supervisor,
+virtual arms and a real journal in virtual time; never on a real arm.
 
 ```sh
 cargo run -p dobot-examples --example reliability > docs/reliability.md    # regenerates this page
@@ -423,7 +423,7 @@ const WATCHDOGS: &str = "
 The station is killed, freezes (SIGSTOP, swap, a debugger) or panics, at a random moment of a jog at 20 to 100 % of the speed,
 of a burning job, or of a motion to a point, and is not restarted. Each figure is the maximum of all cases: the time from the
 last heartbeat to the first packet of the [watchdog](safety.md#watchdog), and time and distance from the end of the station to
-the arm's rest and to the end of the light. Light on a spot is a laser that is on while the arm stands.
+the arm's rest and to the end of the light. Light on a spot: the laser is on while the arm stands.
 ";
 
 const WATCHDOGS_END: &str = "
@@ -456,9 +456,9 @@ affects statuses from the arm, `:to` commands to it.
 ";
 
 const LINES_END: &str = "
-Lost, damaged and late statuses do no harm. A lost command cannot be resent in time: the next commands are already sent, and
-are drawn from the wrong position until the statuses show it, half a second and a vector later. Then the job is paused, and the
-message names where the arm rests and where it should rest. One loss was not noticed (seed 52, of the document): part of a loop
+Lost, damaged and late statuses do no harm. A lost command cannot be resent in time: the next ones are already sent, and are
+drawn from the wrong position until the statuses show it, half a second and a vector later. Then the job is paused, and the
+message names where the arm rests and where it should. One loss was not noticed (seed 52, of the document): part of a loop
 of 0.36 mm is missing, and the arm rested where the drawing ends.";
 
 const CLIENTS: &str = "
@@ -491,7 +491,7 @@ const SESSIONS: &str = "
 ## Random sessions
 
 Up to five incidents at random moments of jobs, targets and held buttons: an observer stops the arm, the station freezes, it is
-killed and its watchdog acts, the cable is pulled, the token of the lease holder is removed. Each time the arm must come to rest
+killed and its watchdog acts, the cable is pulled, the token of the client in control is removed. Each time the arm must come to rest
 with the laser off, laser off must be the first packet, and jobs must end with nothing lost, repeated or spoilt. A last stop
 must keep its promise.
 ";
@@ -521,8 +521,7 @@ effects, because no status shows whether the laser is on.
 ";
 
 const TAIL: &str = "
-The arm has no stop command. It finishes the command in execution and those that it has received. The promised time is an upper
-bound. Just after a start it is the time of all commands that, by the journal, the arm may have.";
+The promised time is an upper bound; just after a start it is the time of all commands that, by the journal, the arm may have.";
 
 const WORK: &str = "
 ## Work for any arm
@@ -534,10 +533,9 @@ Afterwards the journals of all arms show which drawings were started.
 const FUZZ: &str = "
 ## Any request
 
-Requests of all kinds and packets of all states: valid, borderline and absurd ones (`NaN`, infinities, zero lengths), from three
-people, a raw program and an observer, under three policies. A third of the cases have a fault of the line, the port or the arm.
-At every control tick a separate check compares the true position of the twin with the limits of the policy. Three of four arms
-are stock arms.
+Requests of all kinds and packets of all states, also absurd ones (`NaN`, infinities, zero lengths), from three people, a raw
+program and an observer, under three policies. A third of the cases have a fault of line, port or arm. At every control tick a
+separate check compares the arm's true position with the policy. Three of four arms are stock arms.
 
 ```sh
 cargo run --release -p dobot-examples --example fuzz -- --requests 1000000 > examples/rust/examples/reliability/fuzz.md
