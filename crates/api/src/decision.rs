@@ -35,6 +35,9 @@ pub struct AskingProgram {
 /// A question that the job asks after its last command.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PendingQuestion {
+    /// Its number in the job, from 1.
+    #[serde(default)]
+    pub number: u64,
     /// The question.
     #[serde(flatten)]
     pub question: Question,

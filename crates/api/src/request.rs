@@ -168,6 +168,10 @@ pub enum Request {
     AnswerJob {
         /// The job.
         job: u64,
+        /// The number of the question; an answer to an earlier question is refused. Absent: the
+        /// current question.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        question: Option<u64>,
         /// The answer.
         answer: Answer,
     },

@@ -1,4 +1,4 @@
-//! Printed markers that a camera recognises: the first fifty of ArUco's 4x4 dictionary.
+//! Printed markers that a camera recognises: the first fifty of `ArUco`'s 4x4 dictionary.
 
 use std::fmt::Write;
 use std::ops::RangeInclusive;
@@ -10,8 +10,10 @@ use thiserror::Error;
 pub struct Marker(u16);
 
 impl Marker {
-    /// Returns the marker with a number from 0 to 49. The numbers 0 to 3 are at the corners of the
-    /// calibration sheet.
+    /// The markers 0 to 3, at the corners of the calibration sheet.
+    pub const CORNERS: [Self; 4] = [Self(0), Self(1), Self(2), Self(3)];
+
+    /// Returns the marker with a number from 0 to 49.
     #[must_use]
     pub fn numbered(number: u16) -> Option<Self> {
         (usize::from(number) < CODES.len()).then_some(Self(number))
@@ -151,7 +153,7 @@ const PAGE_MM: [f64; 2] = [210.0, 297.0];
 const MARGIN_MM: f64 = 10.0;
 const LABEL_MM: f64 = 2.0;
 
-/// The inner cells, row by row from the upper left, white is 1 (OpenCV's `DICT_4X4_50`).
+/// The inner cells, row by row from the upper left, white is 1 (`OpenCV`'s `DICT_4X4_50`).
 #[rustfmt::skip]
 const CODES: [u16; 50] = [
     0xb532, 0x0f9a, 0x332d, 0x9946, 0x549e, 0x79cd, 0x9e2e, 0xc4f2, 0xfeda, 0xcf56,

@@ -13,6 +13,8 @@ use tokio::io::{AsyncBufReadExt, BufReader, Lines, Stdin};
 pub(crate) struct Questions {
     job: u64,
     asked: Option<PendingQuestion>,
+    /// The number of the last question that got its answer here: states may still show it.
+    answered: Option<u64>,
     lines: Option<Lines<BufReader<Stdin>>>,
     is_terminal: bool,
 }
@@ -22,6 +24,7 @@ impl Questions {
         Self {
             job,
             asked: None,
+            answered: None,
             lines: None,
             is_terminal: std::io::stdin().is_terminal(),
         }
@@ -29,6 +32,7 @@ impl Questions {
 
     /// Handles the question of a new state; a new one is printed.
     pub(crate) fn handle(&mut self, question: Option<&PendingQuestion>, bar: &ProgressBar) {
+        let question = question.filter(|pending| Some(pending.number) != self.answered);
         if self.asked.as_ref() == question {
             return;
         }
@@ -105,6 +109,7 @@ impl Questions {
             Ok(answer) => {
                 let request = Request::AnswerJob {
                     job: self.job,
+                    question: Some(pending.number),
                     answer,
                 };
                 let sent = station.request(request).await;
@@ -113,7 +118,9 @@ impl Questions {
             Err(reason) => Err(reason),
         };
         match sent {
-            Ok(()) => self.asked = None,
+            Ok(()) => {
+                self.answered = self.asked.take().map(|pending| pending.number);
+            }
             Err(reason) => bar.suspend(|| eprintln!("{reason}")),
         }
     }

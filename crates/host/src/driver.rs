@@ -599,7 +599,11 @@ impl Driver {
                 };
                 self.start_job(DeferredStart { start, until });
             }
-            Request::AnswerJob { job, answer } => self.answer_question(job, answer, Some(reply)),
+            Request::AnswerJob {
+                job,
+                question,
+                answer,
+            } => self.answer_question(job, question, answer, Some(reply)),
             Request::CancelJob { job } if !self.is_at(job) => {
                 jobs.cancel(job, self.supervisor.client_name(client), reply);
             }
@@ -612,10 +616,11 @@ impl Driver {
     fn answer_question(
         &mut self,
         job: u64,
+        question: Option<u64>,
         answer: Answer,
         reply: Option<oneshot::Sender<Result<Reply, Refusal>>>,
     ) {
-        let before = self.supervisor.answers_of(job);
+        let before = self.supervisor.answers_of(job, question);
         let before = before.and_then(|before| {
             let is_first = !self.is_answering;
             is_first.then_some(before).ok_or(Refusal::NoQuestion(job))
@@ -663,7 +668,7 @@ impl Driver {
             return;
         }
         if let Some((job, answer)) = self.supervisor.poll_due_answer() {
-            self.answer_question(job, answer, None);
+            self.answer_question(job, None, answer, None);
         }
     }
 

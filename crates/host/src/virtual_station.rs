@@ -297,7 +297,11 @@ impl VirtualStation {
                 }
                 Request::StartJob { job } => return self.start_with(client, job, false),
                 Request::StepJob { job } => return self.start_with(client, job, true),
-                Request::AnswerJob { job, answer } => return self.answer(job, answer),
+                Request::AnswerJob {
+                    job,
+                    question,
+                    answer,
+                } => return self.answer(job, question, answer),
                 Request::CancelJob { job } if !self.is_at(job) => {
                     jobs::end_waiting(&self.journal, job, &self.supervisor.client_name(client))?;
                     return self.kept(job);
@@ -409,10 +413,15 @@ impl VirtualStation {
         reply
     }
 
-    fn answer(&mut self, job: u64, answer: Answer) -> Result<Reply, Refusal> {
+    fn answer(
+        &mut self,
+        job: u64,
+        question: Option<u64>,
+        answer: Answer,
+    ) -> Result<Reply, Refusal> {
         let given = GivenAnswer {
             job,
-            before: self.supervisor.answers_of(job)?,
+            before: self.supervisor.answers_of(job, question)?,
             answer,
         };
         let model = self.supervisor.planning_model()?;
@@ -428,7 +437,7 @@ impl VirtualStation {
         let Some((job, answer)) = self.supervisor.poll_due_answer() else {
             return;
         };
-        if let Err(refusal) = self.answer(job, answer) {
+        if let Err(refusal) = self.answer(job, None, answer) {
             let now = self.supervisor_now();
             self.supervisor.handle_bad_answer(now, &refusal);
         }

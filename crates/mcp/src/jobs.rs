@@ -159,7 +159,13 @@ impl Call {
             _ => return Err(Refused::new("arguments", "give either answer or place")),
         };
         let job = asked.job;
-        station.request(Request::AnswerJob { job, answer }).await?;
+        let question = found.question.map(|pending| pending.number);
+        let request = Request::AnswerJob {
+            job,
+            question,
+            answer,
+        };
+        station.request(request).await?;
         self.follow(&mut station, job, time).await
     }
 }

@@ -130,6 +130,16 @@ pub enum Refusal {
     /// The job does not wait for an answer.
     #[error("job {0} does not wait for an answer now")]
     NoQuestion(u64),
+    /// The answer is to an earlier question of the job.
+    #[error("question {question} of job {job} has its answer; it asks question {asked} now")]
+    AnsweredBefore {
+        /// The job number.
+        job: u64,
+        /// The question of the answer.
+        question: u64,
+        /// The current question.
+        asked: u64,
+    },
     /// An answer does not fit the question, or the program cannot continue with it.
     #[error("{0}")]
     BadAnswer(String),
@@ -283,7 +293,7 @@ impl Refusal {
                 problem_kinds::NO_JOB_RUNS,
                 "list the jobs: `dobot jobs` or `GET /api/v1/jobs`",
             ),
-            Self::NoQuestion(_) => (
+            Self::NoQuestion(_) | Self::AnsweredBefore { .. } => (
                 problem_kinds::NO_QUESTION,
                 "show the question of the job: `dobot jobs` or `GET /api/v1/jobs`",
             ),

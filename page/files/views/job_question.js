@@ -9,7 +9,7 @@ import { html, nothing } from "../vendor/lit-html/lit-html.js";
 export function jobQuestion({ page, t, act }, job) {
   const { question } = job;
   if (!question) return nothing;
-  const answer = (/** @type {import("../api").components["schemas"]["Answer"]} */ given) => act.ask({ type: "answer_job", job: job.job, answer: given });
+  const answer = (/** @type {import("../api").components["schemas"]["Answer"]} */ given) => act.ask({ type: "answer_job", job: job.job, question: question.number, answer: given });
   if (question.asks === "choice") {
     return html`
       <div id="job-question" class="question" role="group" aria-labelledby="job-asks">

@@ -189,7 +189,11 @@ impl Session {
             return Err(Failure::Closed);
         };
         self.client
-            .request(Request::AnswerJob { job, answer })
+            .request(Request::AnswerJob {
+                job,
+                question: Some(pending.number),
+                answer,
+            })
             .await?;
         Ok(())
     }

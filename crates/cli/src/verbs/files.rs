@@ -84,7 +84,7 @@ enum Action {
 
 /// The list of files, as far as it is shown.
 #[derive(Debug, Deserialize)]
-struct Files {
+struct FileList {
     used_bytes: u64,
     most_bytes: u64,
     damaged: Vec<String>,
@@ -139,7 +139,7 @@ async fn list_files(station: &StationAddress, search: &str, as_json: bool) -> Re
     if as_json {
         return Ok(output::json(&fetch::<Value>(station, &path).await?)?);
     }
-    let all: Files = fetch(station, &path).await?;
+    let all: FileList = fetch(station, &path).await?;
     for damaged in &all.damaged {
         eprintln!("{damaged}");
     }
@@ -210,7 +210,7 @@ async fn remove(station: &StationAddress, files: &[String]) -> Result<(), Failur
 
 /// Returns the file of this name, or else of this number.
 async fn find(station: &StationAddress, wanted: &str) -> Result<StoredFile, Failure> {
-    let all: Files = fetch(station, FILES).await?;
+    let all: FileList = fetch(station, FILES).await?;
     let number = wanted.parse().ok();
     let by_name = all.files.iter().position(|file| file.name == wanted);
     let found = by_name.or_else(|| all.files.iter().position(|file| Some(file.file) == number));

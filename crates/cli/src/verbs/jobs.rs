@@ -236,7 +236,11 @@ async fn act(station: &mut StationClient, args: &Args, action: Action) -> Result
             let text = answer.unwrap_or_else(|| numbers.join(" "));
             let answer = person.answer(station, job, &text).await?;
             (
-                Request::AnswerJob { job, answer },
+                Request::AnswerJob {
+                    job,
+                    question: None,
+                    answer,
+                },
                 format!("job {job} continues"),
             )
         }

@@ -161,7 +161,7 @@ fn png_pixels(
     }
     let mut grey = Vec::with_capacity(header.width * header.height);
     rows(&mut reader, cancel, |row| {
-        add_grey(&mut grey, row, color, paper)
+        add_grey(&mut grey, row, color, paper);
     })?;
     complete(header, grey)
 }

@@ -134,7 +134,7 @@ async fn serve(mut messages: mpsc::Receiver<Message>, news: Arc<FakeNews>, asked
                 let _ = reply.send(Vec::new());
             }
             Message::Buttons(text) | Message::Trouble(text) => {
-                news.trouble.lock().expect("as above").push(text)
+                news.trouble.lock().expect("as above").push(text);
             }
             Message::Failed(text) => panic!("{text}"),
             Message::End => break,

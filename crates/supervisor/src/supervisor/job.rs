@@ -72,11 +72,21 @@ impl Supervisor {
     ///
     /// # Errors
     ///
-    /// [`Refusal::NoSuchJob`], or [`Refusal::NoQuestion`] if it does not wait for one.
-    pub fn answers_of(&self, job: u64) -> Result<usize, Refusal> {
+    /// [`Refusal::NoSuchJob`], [`Refusal::NoQuestion`] if it does not wait for one, or
+    /// [`Refusal::AnsweredBefore`] if it asks another question than the one of this number.
+    pub fn answers_of(&self, job: u64, question: Option<u64>) -> Result<usize, Refusal> {
         let run = self.run.as_ref().filter(|run| run.job() == job);
         let run = run.ok_or(Refusal::NoSuchJob(job))?;
-        run.answers().ok_or(Refusal::NoQuestion(job))
+        let answers = run.answers().ok_or(Refusal::NoQuestion(job))?;
+        let asked = answers as u64 + 1;
+        match question {
+            Some(question) if question != asked => Err(Refusal::AnsweredBefore {
+                job,
+                question,
+                asked,
+            }),
+            _ => Ok(answers),
+        }
     }
 
     /// Returns what is due for a question that nobody has answered; call it with each status.

@@ -53,7 +53,10 @@ impl<'a> Decisions<'a> {
     /// Returns the answer to a question; `None` if there is none yet.
     fn ask(&mut self, question: PendingQuestion) -> Result<Option<Answer>, String> {
         let Some(answer) = self.answers.get(self.used) else {
-            self.question = Some(question);
+            self.question = Some(PendingQuestion {
+                number: self.used as u64 + 1,
+                ..question
+            });
             return Ok(None);
         };
         question.check(answer)?;
@@ -142,6 +145,7 @@ impl Compiler<'_> {
             ChosenBy::Asked(by) => {
                 let answers = choose.when.iter().map(|when| when.answer.clone());
                 let question = PendingQuestion {
+                    number: 0,
                     question: Question::Choice {
                         text: choose.question.clone(),
                         answers: answers.collect(),
@@ -307,6 +311,7 @@ fn decides(steps: &Steps) -> bool {
 
 fn where_is(place: &ExternalPlace) -> PendingQuestion {
     PendingQuestion {
+        number: 0,
         question: Question::Place { name: place.name() },
         timeout_s: place.timeout,
         otherwise: (place.otherwise == AfterTimeout::Skip).then_some(Answer::Skip),
@@ -315,6 +320,7 @@ fn where_is(place: &ExternalPlace) -> PendingQuestion {
 
 fn gripped(missed: &Missed) -> PendingQuestion {
     PendingQuestion {
+        number: 0,
         question: Question::Choice {
             text: "Was it picked up?".into(),
             answers: vec!["yes".into(), NO.into()],
@@ -331,6 +337,7 @@ const fn up(z: f64) -> Offset {
 
 const NO: &str = "no";
 const NEXT_CYCLE: PendingQuestion = PendingQuestion {
+    number: 0,
     question: Question::NextCycle,
     timeout_s: None,
     otherwise: None,

@@ -172,16 +172,13 @@ fn merged_list(old: &ArrayOfTables, new: &ArrayOfTables, moved: &mut Tables) -> 
     for (at, table) in new.iter().enumerate() {
         let there = from[at].and_then(|n| old.get(n)).cloned();
         let there = there.or_else(|| moved.get_mut(&is[at]).and_then(Vec::pop));
-        list.push(match there {
-            Some(mut there) => {
-                merge_tables(&mut there, table, moved);
-                there
-            }
-            None => {
-                let mut table = table.clone();
-                table.decor_mut().set_prefix("\n");
-                table
-            }
+        list.push(if let Some(mut there) = there {
+            merge_tables(&mut there, table, moved);
+            there
+        } else {
+            let mut table = table.clone();
+            table.decor_mut().set_prefix("\n");
+            table
         });
     }
     list

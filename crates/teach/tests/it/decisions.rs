@@ -139,14 +139,15 @@ fn questions_name_their_answers_and_their_timeout() {
     );
     let question = compiled(&text, &[]).question.unwrap();
     let PendingQuestion {
+        number,
         question,
         timeout_s,
         otherwise,
     } = question;
     assert_eq!(question.to_string(), "Which colour? (red, blue)");
     assert_eq!(
-        (timeout_s, otherwise),
-        (Some(2.5), Some(Answer::Choice("blue".into())))
+        (number, timeout_s, otherwise),
+        (1, Some(2.5), Some(Answer::Choice("blue".into())))
     );
     let given = "[[steps]]\ngo = { x = 200, y = 0, z = 0 }\n[[steps]]\npick = { from = \"cube\", timeout = 3, otherwise = \"skip\" }\n";
     let question = compiled(given, &[]).question.unwrap();

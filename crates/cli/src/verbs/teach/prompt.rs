@@ -650,7 +650,7 @@ mod tests {
         let grid = TouchedGrid {
             name: "tray".into(),
             corners,
-            size: "3x4".parse().unwrap(),
+            size: "3x4".parse().expect("columns and rows"),
         };
         // The size that the program refused can be corrected.
         for keys in ["<<<3x4\n", "\n"] {

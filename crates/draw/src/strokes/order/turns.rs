@@ -195,14 +195,14 @@ impl<'a> Turns<'a> {
                 }
                 let left_out = self.row.way(from) + self.row.way(to) - self.row.least(from - 1, to);
                 nearer.any(|near| {
-                    self.shift_beside((from, to), here, near, left_out - f64::from(near.cost))
+                    self.shift_beside((from, to), here, *near, left_out - f64::from(near.cost))
                 })
             })
     }
 
     /// Moves a part so that its stroke `here` is next to another one, if that can yield a gain:
     /// `saved` is the gain without the travel removed there and the other new one.
-    fn shift_beside(&mut self, part: (usize, usize), here: usize, near: &Near, saved: f64) -> bool {
+    fn shift_beside(&mut self, part: (usize, usize), here: usize, near: Near, saved: f64) -> bool {
         let (from, to) = part;
         let far = if here == from { to - 1 } else { from };
         let there = self.row.place(near.node);

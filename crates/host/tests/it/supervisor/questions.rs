@@ -85,7 +85,14 @@ fn run_until_over(station: &mut VirtualStation, job: u64) -> JobState {
 fn answer(station: &mut VirtualStation, job: u64, answer: Answer) -> Result<(), Refusal> {
     // A camera, which does not have control.
     let camera = station.client("camera");
-    station.ask(camera, Request::AnswerJob { job, answer })?;
+    station.ask(
+        camera,
+        Request::AnswerJob {
+            job,
+            question: None,
+            answer,
+        },
+    )?;
     station.leave(camera);
     Ok(())
 }
@@ -140,6 +147,32 @@ fn the_arm_waits_at_rest_and_continues_with_the_steps_of_the_answer() {
             assert_xy(&station, [240.0, 0.0]);
         }
     }
+}
+
+#[test]
+fn a_second_press_of_an_answer_does_not_answer_the_next_question() {
+    let (mut station, anna) = station(Personality::Firmware11, &[], 0);
+    let job = started(&mut station, anna, SIDES);
+    run_until_asked(&mut station);
+    let number = question(&station).unwrap().number;
+    let pressed = Request::AnswerJob {
+        job,
+        question: Some(number),
+        answer: choice("left"),
+    };
+    station.ask(anna, pressed.clone()).unwrap();
+    run_until_asked(&mut station);
+    let refused = station.ask(anna, pressed).unwrap_err();
+    let asked = question(&station).unwrap().number;
+    assert_eq!(
+        refused,
+        Refusal::AnsweredBefore {
+            job,
+            question: number,
+            asked
+        }
+    );
+    assert_xy(&station, [200.0, 80.0]);
 }
 
 #[test]

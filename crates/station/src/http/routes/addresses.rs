@@ -21,7 +21,6 @@ pub(super) fn all() -> Vec<Route> {
     ]
 }
 
-#[expect(clippy::unused_async, reason = "handlers are asynchronous")]
 async fn list(requester: Requester) -> Json<Vec<String>> {
     let (listens, is_secure) = requester.app.listens;
     let ip = reachable(listens.ip(), network_address);

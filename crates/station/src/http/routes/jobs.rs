@@ -143,6 +143,8 @@ fn answered() -> Vec<Route> {
 struct ChosenAnswer {
     /// One of the possible answers.
     answer: String,
+    /// The number of the question; an answer to an earlier one is refused.
+    question: Option<u64>,
 }
 
 async fn answer(
@@ -151,7 +153,13 @@ async fn answer(
     Body(given): Body<ChosenAnswer>,
 ) -> Result<Json<Reply>, RequestFailed> {
     let answer = Answer::Choice(given.answer);
-    requester.ask(Request::AnswerJob { job, answer }).await
+    let question = given.question;
+    let request = Request::AnswerJob {
+        job,
+        question,
+        answer,
+    };
+    requester.ask(request).await
 }
 
 async fn give_place(
@@ -164,7 +172,12 @@ async fn give_place(
         name: Some(name),
         ..given
     });
-    requester.ask(Request::AnswerJob { job, answer }).await
+    let request = Request::AnswerJob {
+        job,
+        question: None,
+        answer,
+    };
+    requester.ask(request).await
 }
 
 /// Routes for the current or next job.

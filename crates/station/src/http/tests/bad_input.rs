@@ -82,6 +82,7 @@ fn bodies_allowed_by_the_document_are_accepted_and_others_change_nothing() {
                     // A text may be no valid program, option of a drawing, policy, scene, fault or
                     // name, touches may determine nothing; some keys of a step exclude each other.
                     let reads = [
+                        "/buttons",
                         "/drawings",
                         "/files",
                         "/fleet/work",

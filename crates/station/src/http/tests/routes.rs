@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use axum::body::Body;
+use axum::http::HeaderValue;
 use dobot_api::{Button, ClientId, News, Request};
 use dobot_wire::{Command, Dialect, JointJogAxis};
 use tower::ServiceExt;
@@ -321,7 +322,7 @@ async fn a_large_file_of_the_page_is_sent_compressed_to_a_client_that_accepts_it
         let response = harness.router.clone().oneshot(request.unwrap()).await;
         let response = response.unwrap();
         let headers = response.headers();
-        let encoding = headers.get("content-encoding").map(|name| name.as_bytes());
+        let encoding = headers.get("content-encoding").map(HeaderValue::as_bytes);
         assert_eq!(encoding, is_gzip.then_some(&b"gzip"[..]), "{accepted}");
         assert_eq!(headers["vary"], "accept-encoding");
         assert_eq!(headers["content-type"], "text/javascript; charset=utf-8");
