@@ -209,7 +209,7 @@ function offersAt(shapes, schema, path, rows) {
 /** @param {unknown} a @param {unknown} b */
 const sameKeys = (a, b) => isTable(a) && isTable(b) && Object.keys(a).join() === Object.keys(b).join();
 
-/** The block after an offer was taken: the rows are made anew from its changed value. @param {Shapes} shapes @param {Kind} kind @param {Block} block @param {Offer} offer @returns {Block} */
+/** The block after an offer was taken: its rows follow from its changed value. @param {Shapes} shapes @param {Kind} kind @param {Block} block @param {Offer} offer @returns {Block} */
 export function taken(shapes, kind, block, { type, path, value }) {
   const { type: was, id, next } = block;
   const rows = (block.extraState?.rows ?? []).filter((row) => !path.every((key, n) => row.path[n] === key));

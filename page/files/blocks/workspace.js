@@ -151,7 +151,7 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
       line.appendField(field(form, shapeAt(shapes, shape, path), about(path, kind)), nameOf(path));
     }
     if (offersOf(shapes, kind, block.rows).length && !block.isInFlyout) block.getInput("head")?.appendField(new OfferMenu(() => offers(block, kind), (index) => take(block, kind, index), t("blocks.more")));
-    // Each line begins anew, also below the first.
+    // Each input begins a line, also below the first.
     if (block.inputList.length > 1 && block.inputList[1]?.type !== Blockly.inputs.inputTypes.STATEMENT) block.moveInputBefore(block.appendEndRowInput("end").name, block.inputList[1]?.name ?? null);
   }
 

@@ -107,7 +107,7 @@ export function createTeach(store, http, jobs) {
     return arm ? { point_mm: [arm.x_mm, arm.y_mm, arm.z_mm], rotation_deg: arm.rotation_deg, suction: arm.suction, gripper_deg: arm.gripper_deg } : null;
   }
 
-  /** The next place is touched anew. @param {boolean} isDone */
+  /** Removes the touched places once they are used. @param {boolean} isDone */
   const done = (isDone) => void (isDone && send({ type: "teach_wizard", set: { places: [] } }));
 
   /** Runs the program as a job. @param {number} from_step @param {Schemas["Repeat"] | null} times @param {"start_job" | "step_job"} [type] */
