@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex};
 
 use dobot_api::{ClientId, FleetWideStop, JobPath, JobView, LeaseView, Reply, Request, Role};
 use dobot_host::{DriverChannels, Message, OfferAnswer, OfferRequest, Rules, StationHandle};
-use dobot_supervisor::Refusal;
+use dobot_supervisor::{Refusal, StoppedBy};
 use tokio::sync::mpsc;
 
 use crate::sample::{job, state};
@@ -75,9 +75,10 @@ async fn serve(mut messages: mpsc::Receiver<Message>, news: Arc<FakeNews>, asked
                     refusing.insert(ClientId(next));
                 }
                 assert!(role >= Role::Watch);
-                let mut connected = news.connected.lock().expect("as above");
-                connected.push((name, person));
-                drop(connected);
+                news.connected
+                    .lock()
+                    .expect("as above")
+                    .push((name, person));
                 // The receiver may be gone, here and below.
                 let _ = reply.send(ClientId(next));
                 next += 1;
@@ -117,14 +118,7 @@ async fn serve(mut messages: mpsc::Receiver<Message>, news: Arc<FakeNews>, asked
                 let _ = reply.send(Ok(answer(&mut offers, key, ask)));
             }
             Message::FleetStop { origin, by, reply } => {
-                let stop = FleetWideStop {
-                    origin,
-                    count: 1,
-                    by: by.by,
-                    reason: by.reason,
-                    reset_by: None,
-                };
-                let _ = reply.send((stop, stopping()));
+                let _ = reply.send((fleet_stop(origin, by), stopping()));
             }
             Message::FleetStops { stops, reply } => {
                 let _ = reply.send((stops, Some(stopping())));
@@ -139,6 +133,17 @@ async fn serve(mut messages: mpsc::Receiver<Message>, news: Arc<FakeNews>, asked
             Message::Failed(text) => panic!("{text}"),
             Message::End => break,
         }
+    }
+}
+
+/// The first stop of a station.
+fn fleet_stop(origin: String, by: StoppedBy) -> FleetWideStop {
+    FleetWideStop {
+        origin,
+        count: 1,
+        by: by.by,
+        reason: by.reason,
+        reset_by: None,
     }
 }
 
