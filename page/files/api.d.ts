@@ -2484,6 +2484,12 @@ export interface components {
         /** @description A question that the job asks after its last command. */
         PendingQuestion: {
             /**
+             * Format: uint64
+             * @description Its number in the job, from 1.
+             * @default 0
+             */
+            number: number;
+            /**
              * Format: double
              * @description How long the job waits for the answer, in seconds; absent: until it is answered.
              */
@@ -4163,6 +4169,11 @@ export interface components {
         ChosenAnswer: {
             /** @description One of the possible answers. */
             answer: string;
+            /**
+             * Format: uint64
+             * @description The number of the question; an answer to an earlier one is refused.
+             */
+            question?: number | null;
         };
         /** @description A program, with the files that it uses. */
         ProgramText: {
@@ -6928,6 +6939,12 @@ export interface components {
              * @description The job.
              */
             job: number;
+            /**
+             * Format: uint64
+             * @description The number of the question; an answer to an earlier question is refused. Absent: the
+             *     current question.
+             */
+            question?: number | null;
             /** @description The answer. */
             answer: components["schemas"]["Answer"];
         } | {
