@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 pub(crate) use self::name::FileKind;
 use self::name::check_name;
 pub(crate) use self::store::FileJob;
-use self::store::{About, Change, Store, Write, unusable};
+use self::store::{About, Change, MOST_BYTES, Store, Write, unusable};
 use crate::http::exchange::responses::beside;
 use crate::http::resources::drawings::bad;
 use crate::http::resources::sketch::Sketch;
@@ -28,6 +28,7 @@ use crate::http::resources::sketch::Sketch;
 pub(crate) struct StoredFiles {
     folder: PathBuf,
     write: Write,
+    most_bytes: u64,
     store: Arc<Mutex<Option<Store>>>,
 }
 
@@ -153,14 +154,15 @@ impl FileView {
 impl StoredFiles {
     /// The files in a folder, which need not exist yet.
     pub(crate) fn new(folder: PathBuf) -> Self {
-        Self::written_by(folder, store::write)
+        Self::with_room(folder, store::write, MOST_BYTES)
     }
 
-    fn written_by(folder: PathBuf, write: Write) -> Self {
+    fn with_room(folder: PathBuf, write: Write, most_bytes: u64) -> Self {
         let store = Arc::default();
         Self {
             folder,
             write,
+            most_bytes,
             store,
         }
     }
@@ -273,7 +275,7 @@ impl StoredFiles {
         let done = beside(move || {
             let mut store = this.store.lock().unwrap_or_else(PoisonError::into_inner);
             if store.is_none() {
-                let opened = Store::open(this.folder.clone(), this.write);
+                let opened = Store::open(this.folder.clone(), this.write, this.most_bytes);
                 let read = |error: io::Error| unusable("read", &this.folder, &error);
                 *store = Some(opened.map_err(read)?);
             }

@@ -36,6 +36,8 @@ pub(super) struct Store {
     /// Why files cannot be read, a line each.
     damaged: Vec<String>,
     write: Write,
+    /// The room for all contents together, in bytes.
+    most_bytes: u64,
 }
 
 /// Writes a file atomically.
@@ -88,13 +90,14 @@ pub(super) struct Change {
 
 impl Store {
     /// Reads what is in a folder, which need not exist yet.
-    pub(super) fn open(folder: PathBuf, write: Write) -> io::Result<Self> {
+    pub(super) fn open(folder: PathBuf, write: Write, most_bytes: u64) -> io::Result<Self> {
         let mut store = Self {
             folder,
             files: BTreeMap::new(),
             last: 0,
             damaged: Vec::new(),
             write,
+            most_bytes,
         };
         let entries = match std::fs::read_dir(&store.folder) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(store),
@@ -150,7 +153,7 @@ impl Store {
             .filter(|(_, about)| about.name.to_lowercase().contains(&wanted));
         FilesView {
             used_bytes: self.used_bytes(),
-            most_bytes: MOST_BYTES,
+            most_bytes: self.most_bytes,
             most_files: MOST_FILES,
             damaged: self.damaged.clone(),
             files: matching
@@ -367,13 +370,13 @@ impl Store {
     /// Checks the limits of the space for a new content, which may replace that of a file.
     fn check_room(&self, bytes: u64, instead_of: Option<u64>) -> Result<(), Problem> {
         let old = instead_of.map_or(0, |number| self.files[&number].bytes);
-        let left = (MOST_BYTES + old).saturating_sub(self.used_bytes());
+        let left = (self.most_bytes + old).saturating_sub(self.used_bytes());
         if bytes > left {
             return Err(self.full(format!(
                 "the file has {}, and {} of {} are left",
                 megabytes(bytes),
                 megabytes(left),
-                megabytes(MOST_BYTES)
+                megabytes(self.most_bytes)
             )));
         }
         if instead_of.is_none() && self.files.len() >= MOST_FILES {

@@ -86,7 +86,7 @@ async fn files_are_there_again_after_a_restart_with_their_placement_and_result()
 #[tokio::test]
 async fn a_full_disk_leaves_everything_as_it_was_and_says_so() {
     let folder = tempfile::tempdir().unwrap();
-    let files = StoredFiles::written_by(folder.path().into(), write_on_full_disk);
+    let files = StoredFiles::with_room(folder.path().into(), write_on_full_disk, MOST_BYTES);
     let (a, _) = files.add(new("a.svg", b"old")).await.unwrap();
     let problem = files.change(a.file, replacing(1, b"newer content")).await;
     let problem = problem.unwrap_err();
@@ -147,8 +147,8 @@ async fn a_damaged_file_is_reported_and_kept_and_the_others_work() {
 async fn when_the_space_is_used_up_the_largest_files_are_named() {
     let folder = tempfile::tempdir().unwrap();
     // Nothing is written: only the sizes matter.
-    let files = StoredFiles::written_by(folder.path().into(), |_, _| Ok(()));
-    let size = usize::try_from(MOST_BYTES / 3).unwrap();
+    let files = StoredFiles::with_room(folder.path().into(), |_, _| Ok(()), 3_000_000);
+    let size = 1_000_000;
     for (name, bytes) in [
         ("small.svg", 10),
         ("one.png", size),
@@ -160,7 +160,7 @@ async fn when_the_space_is_used_up_the_largest_files_are_named() {
     }
     let full = files.add(new("more.svg", &[7; 20])).await.unwrap_err();
     assert_eq!(full.name(), "files-full");
-    assert!(full.detail.contains("256.0 MB"), "{}", full.detail);
+    assert!(full.detail.contains("3.0 MB"), "{}", full.detail);
     let hint = full.hint.unwrap();
     assert!(
         hint.contains("one.png") && !hint.contains("small.svg"),
