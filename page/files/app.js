@@ -51,7 +51,7 @@ import { cameras, pose } from "./views/pose.js";
 import { statusBar } from "./views/status_bar.js";
 import { showDialog } from "./views/confirm.js";
 import { tabs } from "./views/tabs.js";
-import { languageOf, formatDuration, translator } from "./i18n/i18n.js";
+import { languageOf, loadLanguage, formatDuration, translator } from "./i18n/i18n.js";
 
 /** @typedef {import("./state/state.js").Page} Page */
 /** @typedef {import("./views/context.js").Context} Context */
@@ -71,6 +71,7 @@ const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const dark = matchMedia("(prefers-color-scheme: dark)");
 
 const store = createStore(begin({ language: languageOf(navigator.languages), theme: "auto", greeted: false, program: localStorage.getItem(PROGRAM) ?? "", name: readName(), ...readPreferences() }));
+await loadLanguage(store.page.language).catch(() => {});
 const http = createHttp();
 const socket = createSocket({ store, http });
 const setUpRequests = createSetUp(store, http, socket);

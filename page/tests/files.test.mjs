@@ -1,6 +1,8 @@
 // Stored files: kept when they are opened, where they were placed after a reload and on another computer, undone, deleted.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
+import { mkdtemp, readFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { after, afterEach, before, test } from "node:test";
 import { open } from "./bench.mjs";
 
@@ -149,7 +151,9 @@ test("files are searched, downloaded, and deleted after a question", async () =>
   await page.waitForSelector(entry("square.svg"), { state: "detached" });
   const [download] = await Promise.all([page.waitForEvent("download"), page.click(`${entry("square (2).svg")} [data-act=download]`)]);
   assert.equal(download.suggestedFilename(), "square (2).svg");
-  assert.equal(await readFile(await download.path(), "utf8"), SVG(10));
+  const saved = join(await mkdtemp(join(tmpdir(), "files-")), "square.svg");
+  await download.saveAs(saved);
+  assert.equal(await readFile(saved, "utf8"), SVG(10));
   await page.click(`${entry("square (2).svg")} [data-act=remove]`);
   assert.equal((await stored()).length, 2);
   await page.click(`${entry("square (2).svg")} [data-act=remove-yes]`);

@@ -5,7 +5,7 @@ import { test } from "node:test";
 
 import { parse, stringify } from "../vendor/smol-toml/index.js";
 import { beginBlock, blockOfProgram, blockOfStep, blocksIn, kindsOf, nameOf, offersOf, programOf, taken } from "./convert.js";
-import { BLOCK_WORDS } from "../i18n/i18n.js";
+import { BLOCK_WORDS, LANGUAGES, loadLanguage } from "../i18n/i18n.js";
 import { GROUPS } from "./labels.js";
 import { fromRaw, rawOf } from "./rows.js";
 import { Shapes } from "./shapes.js";
@@ -150,7 +150,8 @@ test("a value without a place is a line of TOML that can be edited", () => {
   assert.equal(fromRaw("no TOML"), "no TOML");
 });
 
-test("the words on the blocks are those of keys and values that exist, and each type is in one group", () => {
+test("the words on the blocks are those of keys and values that exist, and each type is in one group", async () => {
+  await Promise.all(Object.keys(LANGUAGES).map(loadLanguage));
   const known = new Set([...kinds.keys(), "true", "false", "forever", "here"]);
   const visit = (node) => {
     if (!node || typeof node !== "object") return;

@@ -17,7 +17,7 @@ export const GROUPS = {
 };
 
 /** The word for a type or a key. @param {Language} language @param {string} key */
-export const wordOf = (language, key) => BLOCK_WORDS[language][key] ?? key.replace(/^\w+ /, "").replaceAll("_", " ");
+export const wordOf = (language, key) => BLOCK_WORDS[language]?.[key] ?? key.replace(/^\w+ /, "").replaceAll("_", " ");
 
 /** The group of a type of blocks. @param {string} type @returns {Group} */
 export const groupOf = (type) => /** @type {Group} */ (Object.keys(GROUPS).find((group) => GROUPS[/** @type {Group} */ (group)].includes(type)) ?? "more");

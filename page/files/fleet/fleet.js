@@ -7,7 +7,7 @@ import { createStoreCore } from "../state/store_core.js";
 import { createHttp, takeToken } from "../station/http.js";
 import { render } from "../vendor/lit-html/lit-html.js";
 import { showDialog } from "../views/confirm.js";
-import { languageOf, translator } from "../i18n/i18n.js";
+import { languageOf, loadLanguage, translator } from "../i18n/i18n.js";
 import { details } from "./details.js";
 import { followFleet } from "./fleet_subscription.js";
 import { followLearners } from "./learner_polling.js";
@@ -41,6 +41,7 @@ const dark = matchMedia("(prefers-color-scheme: dark)"), still = matchMedia("(pr
 const createBoard = () => createStoreCore(reduce, begin({ language: languageOf(navigator.languages), theme: "auto", ...readPreferences() }));
 
 const store = createBoard();
+await loadLanguage(store.page.language).catch(() => {});
 const http = createHttp();
 const fleet = followFleet(store, http);
 const requests = createRequests(store, http);

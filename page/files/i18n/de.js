@@ -2,7 +2,6 @@
 
 /** @type {Record<import("./i18n.js").TextKey, string>} */
 export const de = {
-  "language": "Deutsch",
   "time.s": "{s} s",
   "time.min": "{min} min {s} s",
   "time.h": "{h} h {min} min",

@@ -1,7 +1,6 @@
 // English.
 
 export const en = {
-  "language": "English",
   "time.s": "{s} s",
   "time.min": "{min} min {s} s",
   "time.h": "{h} h {min} min",

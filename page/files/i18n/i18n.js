@@ -1,30 +1,39 @@
 // The texts of the page in each language. Texts from the station (refusals, notices) are in English.
 
-import { blocks as deBlocks, de } from "./de.js";
-import { blocks as enBlocks, en } from "./en.js";
-import { blocks as zhBlocks, zh } from "./zh.js";
+import { blocks, en } from "./en.js";
 
 /** @typedef {keyof typeof en} TextKey */
-/** @typedef {keyof typeof TEXTS} Language */
+/** @typedef {keyof typeof LANGUAGES} Language */
 /** Returns the text of a key, with each `{name}` replaced by its value. @typedef {(key: TextKey, values?: Record<string, string | number>) => string} Translate */
 
-/** The languages, each with all texts. Another language is a file like `en.js` and its entries here. */
-export const TEXTS = { en, de, zh };
+/** The languages. Another one is a file like `en.js` and a line here. */
+export const LANGUAGES = { en: "English", de: "Deutsch", zh: "中文" };
 
-/** The words on blocks in each language. */
-export const BLOCK_WORDS = { en: enBlocks, de: deBlocks, zh: zhBlocks };
+/** The texts of the languages loaded so far. @type {{ en: typeof en } & Partial<Record<Language, Record<TextKey, string>>>} */
+export const TEXTS = { en };
+
+/** The words on blocks of the languages loaded so far. @type {Partial<Record<Language, Record<string, string>>>} */
+export const BLOCK_WORDS = { en: blocks };
+
+/** Loads the texts of a language, which are English until then. @param {Language} language */
+export async function loadLanguage(language) {
+  if (TEXTS[language]) return;
+  const loaded = await import(`./${language}.js`);
+  TEXTS[language] = loaded[language];
+  BLOCK_WORDS[language] = loaded.blocks;
+}
 
 /** The key of a control's label in the text of a lesson: [tab.move]. */
 export const LABEL = /\[([a-z_.]+)\]/;
 
 /** @param {Language} language @returns {Translate} */
-export const translator = (language) => (key, values = {}) => TEXTS[language][key].replace(/\{(\w+)\}/g, (all, name) => String(values[name] ?? all));
+export const translator = (language) => (key, values = {}) => (TEXTS[language] ?? en)[key].replace(/\{(\w+)\}/g, (all, name) => String(values[name] ?? all));
 
 /** Returns the first supported language of a browser's list. @param {readonly string[]} wanted @returns {Language} */
 export function languageOf(wanted) {
   for (const tag of wanted) {
     const known = /** @type {Language} */ (tag.slice(0, 2).toLowerCase());
-    if (known in TEXTS) return known;
+    if (known in LANGUAGES) return known;
   }
   return "en";
 }

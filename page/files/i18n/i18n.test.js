@@ -2,7 +2,9 @@ import assert from "node:assert/strict";
 import { readFile, readdir } from "node:fs/promises";
 import { test } from "node:test";
 
-import { LABEL, TEXTS, formatClock, languageOf, formatDuration, translator } from "./i18n.js";
+import { LABEL, LANGUAGES, TEXTS, formatClock, languageOf, formatDuration, loadLanguage, translator } from "./i18n.js";
+
+await Promise.all(Object.keys(LANGUAGES).map(loadLanguage));
 
 const ROOT = new URL("../", import.meta.url);
 

@@ -2,7 +2,9 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 
-import { TEXTS, translator } from "./i18n.js";
+import { LANGUAGES, TEXTS, loadLanguage, translator } from "./i18n.js";
+
+await Promise.all(Object.keys(LANGUAGES).map(loadLanguage));
 import { problemText } from "./problem_text.js";
 
 const problem = (kind, detail, hint) => ({ type: `/api/v1/problems/${kind}`, title: "a title", detail, hint });

@@ -2,7 +2,6 @@
 
 /** @type {Record<import("./i18n.js").TextKey, string>} */
 export const zh = {
-  "language": "中文",
   "time.s": "{s} 秒",
   "time.min": "{min} 分 {s} 秒",
   "time.h": "{h} 小时 {min} 分",

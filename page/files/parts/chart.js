@@ -3,7 +3,8 @@
 import { AsyncDirective } from "../vendor/lit-html/async-directive.js";
 import { directive } from "../vendor/lit-html/directive.js";
 import { nothing } from "../vendor/lit-html/lit-html.js";
-import uPlot from "../vendor/uplot/uplot.js";
+
+/** @typedef {typeof import("../vendor/uplot/uplot.js").default} UPlot */
 
 /** A line of a chart: what it is called, and the custom property of its colour. @typedef {{ name: string, color: string, dash?: number[] }} Line */
 /** @typedef {readonly (readonly (number | null)[])[]} Columns Seconds first, then a column for each line. */
@@ -15,7 +16,7 @@ const HEIGHT = 120;
 const LEAST_S = 30;
 
 class Chart extends AsyncDirective {
-  /** @type {uPlot | undefined} */ #plot;
+  /** @type {InstanceType<UPlot> | undefined} */ #plot;
   /** @type {ResizeObserver | undefined} */ #watched;
   #key = "";
   /** @type {Columns | undefined} */ #shown;
@@ -28,14 +29,14 @@ class Chart extends AsyncDirective {
   /** @override @param {import("../vendor/lit-html/directive.js").ElementPart} part @param {[Columns, readonly Line[], Seen, string]} args */
   update({ element }, [columns, lines, seen, key]) {
     this.#shown = columns;
-    // A new element is not in the document yet, where its size and its colours come from.
-    if (key !== this.#key) queueMicrotask(() => this.#build(/** @type {HTMLElement} */ (element), lines, seen, key));
+    // A new element is not in the document yet, where its size and its colours come from. The library is loaded by the first chart.
+    if (key !== this.#key) void import("../vendor/uplot/uplot.js").then((loaded) => this.#build(loaded.default, /** @type {HTMLElement} */ (element), lines, seen, key));
     else this.#draw();
     return nothing;
   }
 
-  /** @param {HTMLElement} element @param {readonly Line[]} lines @param {Seen} seen @param {string} key */
-  #build(element, lines, [low, high], key) {
+  /** @param {UPlot} uPlot @param {HTMLElement} element @param {readonly Line[]} lines @param {Seen} seen @param {string} key */
+  #build(uPlot, element, lines, [low, high], key) {
     if (!element.isConnected) return;
     this.#end();
     this.#key = key;

@@ -1,6 +1,6 @@
 // The user's preferences for all pages of this station, kept in this browser.
 
-import { TEXTS } from "../i18n/i18n.js";
+import { LANGUAGES } from "../i18n/i18n.js";
 
 /** @typedef {import("../i18n/i18n.js").Language} Language */
 /** @typedef {import("../state/state.js").Theme} Theme */
@@ -12,7 +12,7 @@ const KEY = "dobot";
 export function readPreferences() {
   try {
     const { language, theme, greeted } = JSON.parse(localStorage.getItem(KEY) ?? "{}");
-    return { ...(language in TEXTS && { language }), ...(["auto", "light", "dark"].includes(theme) && { theme }), greeted: greeted === true };
+    return { ...(language in LANGUAGES && { language }), ...(["auto", "light", "dark"].includes(theme) && { theme }), greeted: greeted === true };
   } catch {
     return {};
   }

@@ -3,12 +3,15 @@
 import { html, nothing } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";
 import { nameForm } from "../../views/name.js";
-import { TEXTS } from "../../i18n/i18n.js";
+import { LANGUAGES, loadLanguage } from "../../i18n/i18n.js";
 
 /** @typedef {import("../../i18n/i18n.js").Language} Language */
 
 /** @type {readonly import("../../state/state.js").Theme[]} */
 const THEMES = ["auto", "light", "dark"];
+
+/** Shows the page in a language; if its texts cannot be loaded, as before. @param {Language} language @param {import("../../views/context.js").Context["act"]} act */
+const speak = (language, act) => loadLanguage(language).then(() => act.send({ type: "language", language }), () => {});
 
 /** @param {import("../../views/context.js").Context} context */
 export function looks(context) {
@@ -18,7 +21,7 @@ export function looks(context) {
       <h2 id="looks-title">${t("set.looks")}</h2>
       <fieldset class="segments">
         <legend>${t("set.language")}</legend>
-        ${Object.entries(TEXTS).map(([it, { language }]) => html`<label lang=${it}><input type="radio" name="language" value=${it} .checked=${live(it === page.language)} @change=${() => act.send({ type: "language", language: /** @type {Language} */ (it) })}><span>${language}</span></label>`)}
+        ${Object.entries(LANGUAGES).map(([tag, name]) => html`<label lang=${tag}><input type="radio" name="language" value=${tag} .checked=${live(tag === page.language)} @change=${() => void speak(/** @type {Language} */ (tag), act)}><span>${name}</span></label>`)}
       </fieldset>
       <fieldset class="segments">
         <legend>${t("set.theme")}</legend>
