@@ -10,11 +10,8 @@ import { createPads } from "./input/pads.js";
 import { draw as drawPanelOf } from "./panels/draw.js";
 import { jobs } from "./panels/jobs.js";
 import { floatingJog } from "./panels/jog.js";
-import { look } from "./panels/look.js";
 import { move } from "./panels/move.js";
-import { setUp } from "./panels/set_up.js";
 import { teach } from "./panels/teach.js";
-import { watch } from "./panels/watch.js";
 import { createFrameBudget } from "./parts/frame_budget.js";
 import { readName } from "./parts/name.js";
 import { keepFocus } from "./parts/keep_focus.js";
@@ -41,7 +38,7 @@ import { followDrawing } from "./station/drawing.js";
 import { createSocket } from "./station/socket.js";
 import { createTeach } from "./station/teach.js";
 import { followTarget } from "./station/target.js";
-import { render } from "./vendor/lit-html/lit-html.js";
+import { nothing, render } from "./vendor/lit-html/lit-html.js";
 import { banners, question, toasts } from "./views/banners.js";
 import { welcome, welcomes } from "./views/welcome.js";
 import { name } from "./views/name.js";
@@ -64,7 +61,12 @@ const MOST_LATE = 2;
 /** Storage key of the program being taught. */
 const PROGRAM = "dobot.program";
 const KEPT = new Set(["language", "theme", "greeted"]);
-const PANELS = { move, draw: drawPanelOf, teach, look, jobs, watch, set_up: setUp };
+const PANELS = {
+  move, draw: drawPanelOf, teach, jobs,
+  look: later(() => import("./panels/look.js").then(({ look }) => look)),
+  watch: later(() => import("./panels/watch.js").then(({ watch }) => watch)),
+  set_up: later(() => import("./panels/set_up.js").then(({ setUp }) => setUp)),
+};
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -143,6 +145,19 @@ function drawPanel(context) {
   const panel = part("panel");
   panel.setAttribute("aria-labelledby", `tab-${tab}`);
   render(PANELS[tab](context), panel);
+}
+
+/** A panel that is loaded when it is first shown. @param {() => Promise<(context: Context) => unknown>} load */
+function later(load) {
+  /** @type {((context: Context) => unknown) | undefined} */ let panel;
+  return (/** @type {Context} */ context) => {
+    if (panel) return panel(context);
+    load().then((loaded) => {
+      panel = loaded;
+      changed();
+    }, () => {});
+    return nothing;
+  };
 }
 
 /** @param {Page} page @param {import("./i18n/i18n.js").Translate} t */

@@ -181,8 +181,8 @@ pub(crate) struct NewDrawing {
     pub(crate) svg: Option<String>,
     /// A file in the folder for agents.
     pub(crate) file: Option<String>,
-    /// Options in groups, such as {"place": {"pen_down": -40}, "tool": {"speed": 30}}; the resource
-    /// dobot://drawing-options describes them.
+    /// Options in groups, such as `{"place": {"pen_down": -40}, "tool": {"speed": 30}}`; the
+    /// resource `dobot://drawing-options` describes them.
     #[serde(default)]
     #[schemars(with = "JsonObject")]
     pub(crate) options: Options,
