@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the programs and their archive, target/products/dobot-VERSION-TARGET.tar.gz (.zip for Windows):
+# Builds the programs and their archive, target/products/dobot-VERSION-TARGET.tar.xz (.zip for Windows):
 #
 #   release/archive.sh [TARGET]
 #
@@ -20,8 +20,8 @@ main() {
     describe
   fi
   python release/parts.py "$TARGET" "$STAGE"
-  local archive=$PRODUCTS/${STAGE##*/}.tar.gz
-  [[ -z $EXE ]] || archive=${archive%.tar.gz}.zip
+  local archive=$PRODUCTS/${STAGE##*/}.tar.xz
+  [[ -z $EXE ]] || archive=${archive%.tar.xz}.zip
   python release/pack.py "$STAGE" "$archive"
   cp "$STAGE/parts.cdx.json" "$PRODUCTS/${STAGE##*/}.cdx.json"
   at_most "$archive" 25000000

@@ -1,6 +1,6 @@
-"""Packs a folder into a .tar.gz or .zip that depends on nothing but the files: `pack.py FOLDER ARCHIVE`."""
+"""Packs a folder into a .tar.xz or .zip that depends on nothing but the files: `pack.py FOLDER ARCHIVE`."""
 
-import gzip
+import lzma
 import os
 import sys
 import tarfile
@@ -21,10 +21,9 @@ def plain(entry: tarfile.TarInfo) -> tarfile.TarInfo:
 
 
 def tar(folder: Path, files: list[Path], archive: Path) -> None:
-    with archive.open("wb") as file, gzip.GzipFile("", "wb", 9, file, mtime=DATE) as packed:
-        with tarfile.open(fileobj=packed, mode="w", format=tarfile.USTAR_FORMAT) as out:
-            for path in files:
-                out.add(path, path.relative_to(folder.parent), recursive=False, filter=plain)
+    with lzma.open(archive, "wb", preset=9) as packed, tarfile.open(fileobj=packed, mode="w", format=tarfile.USTAR_FORMAT) as out:
+        for path in files:
+            out.add(path, path.relative_to(folder.parent), recursive=False, filter=plain)
 
 
 def zipped(folder: Path, files: list[Path], archive: Path) -> None:

@@ -58,7 +58,7 @@ async function clickPlace(place) {
 test("the camera is asked for when the view opens, not before", async () => {
   assert.equal(await page.evaluate(() => window.asked), 0);
   await page.click("#tab-look");
-  await waitForStatus("Exact to about");
+  await waitForStatus("Accurate to about");
   assert.equal(await page.evaluate(() => window.asked), 1);
   assert.deepEqual(traffic.targets(), []);
 });
@@ -130,5 +130,5 @@ test("the camera is off after the view closes", async () => {
   await page.click("#tab-move");
   assert.equal(await page.evaluate(() => document.querySelector("#look-video")), null);
   await page.click("#tab-look");
-  await waitForStatus("Exact to about");
+  await waitForStatus("Accurate to about");
 });

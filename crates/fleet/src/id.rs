@@ -28,7 +28,7 @@ pub fn own_id(file: &Path) -> Result<String, IdError> {
                 file: at(),
                 source: error.into(),
             })?;
-            let written = write_private(file, &format!("{id}\n"));
+            let written = write_private(file, format!("{id}\n"));
             written.map_err(|source| IdError::File { file: at(), source })?;
             Ok(id)
         }

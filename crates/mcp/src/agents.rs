@@ -158,7 +158,9 @@ async fn run(call: &Call, name: &str, arguments: JsonObject) -> Option<CallToolR
         }
         "plan_drawing" => {
             let planned = call.looking(async { call.plan_drawing(read(arguments)?).await });
-            Box::pin(planned).await.unwrap_or_else(|error| error.result())
+            Box::pin(planned)
+                .await
+                .unwrap_or_else(|error| error.result())
         }
         "draw" => {
             let drawn = async { call.draw(&read(arguments)?).await };

@@ -44,7 +44,7 @@ impl TicketStore {
 
     /// Writes a new ticket and its job.
     pub(crate) fn submit(&self, ticket: &Ticket, offer: &Value) -> io::Result<()> {
-        write_private(&self.offer_file(&ticket.id), &offer.to_string())?;
+        write_private(&self.offer_file(&ticket.id), offer.to_string())?;
         self.keep(ticket)
     }
 

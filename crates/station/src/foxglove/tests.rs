@@ -240,7 +240,7 @@ async fn foxglove_gets_the_state_of_the_station_at_its_time() {
     let begun = Timestamp::now().as_nanosecond();
     let (at_ns, state) = client
         .message("/station/state", || {
-            driver.publish_state(crate::sample::state(60.0))
+            driver.publish_state(crate::sample::state(60.0));
         })
         .await;
     assert_eq!(state["at_s"], 60.0);

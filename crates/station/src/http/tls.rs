@@ -59,7 +59,7 @@ impl Certificate {
         let made_for = fs::read_to_string(&list).unwrap_or_default();
         if !files.key.exists() || made_for.lines().ne(subjects.iter().map(String::as_str)) {
             make(&files, &subjects)?;
-            write_private(&list, &subjects.join("\n"))
+            write_private(&list, subjects.join("\n"))
                 .map_err(|source| TlsError::write(&list, source))?;
         }
         Self::read(&files)

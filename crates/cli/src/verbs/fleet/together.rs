@@ -145,7 +145,7 @@ async fn run_on_arms(home: &Home, parts: &[Part], as_json: bool) -> Result<(), F
     let deciding = tokio::spawn(decide(sender, is_attended));
     let mut progress = Progress::new(parts, as_json, is_attended);
     let outcome = run(home, parts, is_attended, orders, |event| {
-        progress.show(&event)
+        progress.show(&event);
     })
     .await;
     deciding.abort();
