@@ -10,8 +10,12 @@ import { LANGUAGES, loadLanguage } from "../../i18n/i18n.js";
 /** @type {readonly import("../../state/state.js").Theme[]} */
 const THEMES = ["auto", "light", "dark"];
 
-/** Shows the page in a language; if its texts cannot be loaded, as before. @param {Language} language @param {import("../../views/context.js").Context["act"]} act */
-const speak = (language, act) => loadLanguage(language).then(() => act.send({ type: "language", language }), () => {});
+/** Shows the page in a language, in English until its texts are loaded. @param {Language} language @param {import("../../views/context.js").Context["act"]} act */
+function speak(language, act) {
+  const choose = () => act.send({ type: "language", language });
+  choose();
+  loadLanguage(language).then(choose, () => {});
+}
 
 /** @param {import("../../views/context.js").Context} context */
 export function looks(context) {
@@ -21,7 +25,7 @@ export function looks(context) {
       <h2 id="looks-title">${t("set.looks")}</h2>
       <fieldset class="segments">
         <legend>${t("set.language")}</legend>
-        ${Object.entries(LANGUAGES).map(([tag, name]) => html`<label lang=${tag}><input type="radio" name="language" value=${tag} .checked=${live(tag === page.language)} @change=${() => void speak(/** @type {Language} */ (tag), act)}><span>${name}</span></label>`)}
+        ${Object.entries(LANGUAGES).map(([tag, name]) => html`<label lang=${tag}><input type="radio" name="language" value=${tag} .checked=${live(tag === page.language)} @change=${() => speak(/** @type {Language} */ (tag), act)}><span>${name}</span></label>`)}
       </fieldset>
       <fieldset class="segments">
         <legend>${t("set.theme")}</legend>
