@@ -6,8 +6,11 @@ import { blocks, en } from "./en.js";
 /** @typedef {keyof typeof LANGUAGES} Language */
 /** Returns the text of a key, with each `{name}` replaced by its value. @typedef {(key: TextKey, values?: Record<string, string | number>) => string} Translate */
 
-/** The languages. Another one is a file like `en.js` and a line here. */
+/** The languages. Another one is a file like `en.js`, and its name and import here. */
 export const LANGUAGES = { en: "English", de: "Deutsch", zh: "中文" };
+
+/** @type {Record<Language, () => Promise<Record<string, any>>>} */
+const FILES = { en: () => import("./en.js"), de: () => import("./de.js"), zh: () => import("./zh.js") };
 
 /** The texts of the languages loaded so far. @type {{ en: typeof en } & Partial<Record<Language, Record<TextKey, string>>>} */
 export const TEXTS = { en };
@@ -18,7 +21,7 @@ export const BLOCK_WORDS = { en: blocks };
 /** Loads the texts of a language, which are English until then. @param {Language} language */
 export async function loadLanguage(language) {
   if (TEXTS[language]) return;
-  const loaded = await import(`./${language}.js`);
+  const loaded = await FILES[language]();
   TEXTS[language] = loaded[language];
   BLOCK_WORDS[language] = loaded.blocks;
 }
