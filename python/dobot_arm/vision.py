@@ -411,7 +411,7 @@ def draw_crosses(arm: Arm, z_mm: float | Callable[[float, float], float], *, lif
         z = height(x, y)
         arm.move_to(x, y, z + lift_mm, path="movj")
         arm.move_to(x, y, z, path="movl")
-        drawn.append(Cross((x, y), arm.status()))
+        drawn.append(Cross((x, y), arm.next_status()))
         for dx, dy in (_DIAGONAL, -_DIAGONAL), (_DIAGONAL, _DIAGONAL):
             for way in (1, -1, 0):
                 arm.move_to(x + way * dx, y + way * dy, height(x + way * dx, y + way * dy), path="movl")

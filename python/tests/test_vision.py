@@ -17,7 +17,7 @@ import pytest
 import dobot_arm as dobot
 from dobot_arm.vision import CROSSES, Cross, Eye, calibrate_from_photo, draw_crosses
 
-NOWHERE = dobot.Status(0, 0, 0, 0, 0, 0, 0, 0, False, 0)
+NOWHERE = dobot.Status(0, 0, 0, 0, 0, 0, 0, 0, False, 0, at_s=0, moving=False)
 ARMS = int(os.environ.get("PHOTOS_ARMS", "4"))
 
 
