@@ -530,8 +530,8 @@ def test_a_million_points_are_planned_with_two_copies_of_them() -> None:
     pytest.importorskip("numpy")
     # In a separate process, without other memory use.
     found = subprocess.run([sys.executable, "-c", SPIRAL], capture_output=True, text=True, check=True)
-    # The two copies, and the planner's memory: 4.6 arrays. One more copy fails the test.
-    assert float(found.stdout) < 4.9
+    # The two copies, and the planner's memory: 5.0 arrays. One more copy fails the test.
+    assert float(found.stdout) < 5.4
 
 
 def test_lines_that_are_none_say_where() -> None:
