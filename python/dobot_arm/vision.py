@@ -9,7 +9,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, cast
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, cast
 
 import numpy as np
 
@@ -18,19 +18,18 @@ from .errors import Error
 
 try:
     import cv2
-except ImportError as missing:  # pragma: no cover
-    raise ImportError("dobot_arm.Eye needs OpenCV: pip install dobot-arm[vision]") from missing
+except ImportError as _missing:  # pragma: no cover
+    raise ImportError("dobot_arm.Eye needs OpenCV: pip install dobot-arm[vision]") from _missing
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from .arm import Arm
     from .calibration import Calibration
     from .programs import Ask, Question
     from .status import Status
 
-    Array = NDArray[np.float64]
-    Frame = NDArray[np.uint8]
+    # Arrays of numpy, of numbers and of a picture's bytes. Their types are those of an optional package.
+    Array: TypeAlias = Any
+    Frame: TypeAlias = Any
 
 Trouble = Literal["few_corners", "blurred", "glare"]
 """What is wrong with a picture: fewer than three markers of the sheet, blur, or overexposed parts."""
@@ -106,7 +105,7 @@ class Eye:
     """
 
     def __init__(self, camera: int | str | None = 0, *, heights: Mapping[int, float] | None = None) -> None:
-        self.heights = dict(heights or {})
+        self.heights: dict[int, float] = dict(heights or {})
         self._detector = cv2.aruco.ArucoDetector(cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50))
         self._camera = None if camera is None else cv2.VideoCapture(camera)
         if self._camera is not None and not self._camera.isOpened():
