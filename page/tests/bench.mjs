@@ -226,6 +226,20 @@ export async function waitForAnswer(page, path, isSo) {
   throw new Error(`${path} never answers what was waited for: ${isSo}`);
 }
 
+/** Opens the view Draw at a virtual arm with a pen. */
+export async function openDraw() {
+  const bench = await open({ virtual: true, speed: 8 });
+  const { page, url } = bench;
+  await fetch(`${url}api/v1/world`, { method: "PUT", headers: { "content-type": "application/json" }, body: JSON.stringify({ scene: "[pen]\ndown_z_mm = -40\n" }) });
+  if (await page.isVisible("#confirm-pose")) {
+    await page.click("#confirm-pose");
+    await page.click("#confirm-yes");
+  }
+  await page.click("#first-close");
+  await page.click("#tab-draw");
+  return bench;
+}
+
 /** What is in a file that the page handed out. */
 export async function contents(download) {
   return Buffer.concat(await (await download.createReadStream()).toArray());

@@ -1,20 +1,13 @@
 // Drawing: a file is dropped, placed, planned and drawn, judged on the ink of the virtual arm.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
-import { open } from "./bench.mjs";
+import { openDraw } from "./bench.mjs";
 
 let bench, page;
 
 before(async () => {
-  bench = await open({ virtual: true, speed: 8 });
+  bench = await openDraw();
   ({ page } = bench);
-  await fetch(`${bench.url}api/v1/world`, { method: "PUT", headers: { "content-type": "application/json" }, body: JSON.stringify({ scene: "[pen]\ndown_z_mm = -40\n" }) });
-  if (await page.isVisible("#confirm-pose")) {
-    await page.click("#confirm-pose");
-    await page.click("#confirm-yes");
-  }
-  await page.click("#first-close");
-  await page.click("#tab-draw");
 });
 after(() => bench.end());
 afterEach(() => assert.deepEqual(bench.errors, []));

@@ -1,23 +1,13 @@
 // Stored files: kept when they are opened, where they were placed after a reload and on another computer, undone, deleted.
 import assert from "node:assert/strict";
-import { mkdtemp, readFile } from "node:fs/promises";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
 import { after, afterEach, before, test } from "node:test";
-import { open } from "./bench.mjs";
+import { contents, openDraw } from "./bench.mjs";
 
 let bench, page;
 
 before(async () => {
-  bench = await open({ virtual: true, speed: 8 });
+  bench = await openDraw();
   ({ page } = bench);
-  await fetch(`${bench.url}api/v1/world`, { method: "PUT", headers: { "content-type": "application/json" }, body: JSON.stringify({ scene: "[pen]\ndown_z_mm = -40\n" }) });
-  if (await page.isVisible("#confirm-pose")) {
-    await page.click("#confirm-pose");
-    await page.click("#confirm-yes");
-  }
-  await page.click("#first-close");
-  await page.click("#tab-draw");
 });
 after(() => bench.end());
 afterEach(() => assert.deepEqual(bench.errors, []));
@@ -151,9 +141,7 @@ test("files are searched, downloaded, and deleted after a question", async () =>
   await page.waitForSelector(entry("square.svg"), { state: "detached" });
   const [download] = await Promise.all([page.waitForEvent("download"), page.click(`${entry("square (2).svg")} [data-act=download]`)]);
   assert.equal(download.suggestedFilename(), "square (2).svg");
-  const saved = join(await mkdtemp(join(tmpdir(), "files-")), "square.svg");
-  await download.saveAs(saved);
-  assert.equal(await readFile(saved, "utf8"), SVG(10));
+  assert.equal(String(await contents(download)), SVG(10));
   await page.click(`${entry("square (2).svg")} [data-act=remove]`);
   assert.equal((await stored()).length, 2);
   await page.click(`${entry("square (2).svg")} [data-act=remove-yes]`);

@@ -16,24 +16,9 @@ import pytest
 import dobot_arm as dobot
 from dobot_arm import pydobot
 
+DESK = Path(__file__).parent / "scenes" / "desk.toml"
+TABLE = DESK.with_name("table.toml")
 SCRIPTS = Path(__file__).parent / "ported"
-DESK = """
-[paper]
-x_mm = [140, 280]
-y_mm = [-110, 110]
-
-[pen]
-down_z_mm = -40
-"""
-TABLE = """
-[suction-cup]
-down_z_mm = -40
-
-[[box]]
-name = "cube"
-size_mm = [25, 25, 25]
-at_mm = [200, 60]
-"""
 
 
 class Stage:
@@ -44,7 +29,7 @@ class Stage:
         self.seen: list[dobot.Status] = []
         self.arm: dobot.Arm | None = None
 
-    def play(self, script: str, world: str) -> dobot.Arm:
+    def play(self, script: str, world: Path) -> dobot.Arm:
         self.arm = dobot.connect("virtual:firmware-1.1", world=world)
         take = self.arm.record()
         self.monkeypatch.setattr(pydobot, "connect", lambda *_, **__: self.arm)

@@ -13,26 +13,10 @@ import pytest
 import dobot_arm as dobot
 from dobot_arm.place import installed_program
 
+DESK = Path(__file__).parent / "scenes" / "desk.toml"
+TABLE = DESK.with_name("table.toml")
 SCENES = Path(__file__).parents[2] / "examples" / "scenes"
 DRAWINGS = Path(__file__).parents[2] / "examples" / "drawings"
-
-DESK = """
-[paper]
-x_mm = [140, 280]
-y_mm = [-110, 110]
-
-[pen]
-down_z_mm = -40
-"""
-TABLE = """
-[suction-cup]
-down_z_mm = -40
-
-[[box]]
-name = "cube"
-size_mm = [25, 25, 25]
-at_mm = [200, 60]
-"""
 
 
 @pytest.mark.dobot(personality="firmware-1.1", world=DESK)

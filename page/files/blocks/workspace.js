@@ -240,7 +240,7 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
     if (event.isUiEvent) return;
     if (event.type === Blockly.Events.BLOCK_CREATE) for (const id of /** @type {any} */ (event).ids ?? []) nameNew(/** @type {Block | null} */ (workspace.getBlockById(id)));
     if (event.type === Blockly.Events.BLOCK_CHANGE) renameUses(/** @type {any} */ (event));
-    if (!workspace.isDragging()) tell();
+    if (!workspace.isDragging()) report();
   }
 
   /** Gives a new entry a name of its own, and a new point the place where the arm is. @param {Block | null} block */
@@ -280,7 +280,7 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
     return saved ? programOf(saved) : null;
   }
 
-  function tell() {
+  function report() {
     const found = read();
     if (!found) return;
     for (const block of workspace.getAllBlocks(false)) /** @type {Block} */ (block).setWarningText(null, "twice");

@@ -154,7 +154,7 @@ function withoutHeight(options) {
   return /** @type {Schemas["Options"]} */ ({ ...options, place });
 }
 
-/** Whether two drawings are placed and drawn alike, as far as the page's fields tell. @param {Schemas["Options"] | null | undefined} a @param {Schemas["Options"] | null | undefined} b */
+/** Whether two drawings are placed and drawn alike, in what the page has fields for. @param {Schemas["Options"] | null | undefined} a @param {Schemas["Options"] | null | undefined} b */
 export const sameOptions = (a, b) => a != null && b != null && JSON.stringify(settingsOf(a)) === JSON.stringify(settingsOf(b));
 
 /** The fields for stored options; those of the page for what is not stored. @param {Schemas["Options"] | null | undefined} options @returns {Settings} */

@@ -101,7 +101,7 @@ export function createFiles(store, http) {
   /** @param {number} number @returns {Promise<StoredFile | undefined>} */
   const view = (number) => http.json(`${FILES}/${number}`);
 
-  /** Opens the drawing of the last visit, unless one is there already. */
+  /** Opens the drawing of the last visit, unless another one is open. */
   async function reopen() {
     const last = Number(localStorage.getItem(LAST));
     if (!last || hasSubject(store.page.draw)) return;

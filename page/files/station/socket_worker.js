@@ -13,17 +13,17 @@ const keepAlive = createKeepAlive((text) => socket?.readyState === WebSocket.OPE
 setInterval(() => keepAlive.tick(performance.now()), REPEAT_MS / 2);
 
 /** @param {FromWorker} message */
-const tell = (message) => postMessage(message);
+const post = (message) => postMessage(message);
 
 /** @param {number} number @param {{ url: string, protocols: string[] }} to */
 function open(number, { url, protocols }) {
   current = number;
   const mine = socket = new WebSocket(url, protocols);
-  mine.addEventListener("open", () => tell({ number, type: "open" }));
-  mine.addEventListener("message", ({ data }) => tell({ number, type: "message", data }));
+  mine.addEventListener("open", () => post({ number, type: "open" }));
+  mine.addEventListener("message", ({ data }) => post({ number, type: "message", data }));
   mine.addEventListener("close", ({ code, reason }) => {
     if (mine === socket) keepAlive.end();
-    tell({ number, type: "close", code, reason });
+    post({ number, type: "close", code, reason });
   });
 }
 
@@ -36,5 +36,5 @@ addEventListener("message", (/** @type {MessageEvent<ToWorker>} */ { data }) => 
   }
   if (data.ends) keepAlive.end();
   if (data.hold === null) socket.readyState === WebSocket.OPEN && socket.send(data.text);
-  else if (!keepAlive.press(data.hold, data.text, performance.now())) tell({ number: data.number, type: "released", id: data.id });
+  else if (!keepAlive.press(data.hold, data.text, performance.now())) post({ number: data.number, type: "released", id: data.id });
 });

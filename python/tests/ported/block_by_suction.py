@@ -1,7 +1,5 @@
 """A class's script for a fork of pydobot: takes a block with the suction cup and sets it down on the other side."""
 
-import time
-
 from dobot_arm.pydobot import Dobot
 
 SAFE = 35
@@ -17,7 +15,6 @@ arm.move_to(x=200, y=60, z=TOP + SAFE, r=0)
 arm.move_to(x=200, y=-60, z=TOP + SAFE, r=0)
 arm.move_to(x=200, y=-60, z=TOP + 1, r=0, wait=True)
 arm.suck(False)
-time.sleep(0)
 arm.wait(500)
 arm.move_to(x=200, y=-60, z=TOP + SAFE, r=0, wait=True)
 arm.close()

@@ -1,4 +1,5 @@
-//! Signatures of webhooks: HMAC-SHA256 (RFC 2104).
+//! Signatures of webhooks: HMAC-SHA256 (RFC 2104), without the crate `hmac`, which would be another package for
+//! these lines.
 
 use sha2::{Digest, Sha256};
 

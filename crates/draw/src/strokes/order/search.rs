@@ -59,7 +59,7 @@ impl<'a> LocalSearch<'a> {
         }
         self.edges = MAX_EDGES;
         self.settle();
-        self.keep();
+        self.commit();
     }
 
     /// Continues with another tour.
@@ -101,14 +101,14 @@ impl<'a> LocalSearch<'a> {
     }
 
     /// Makes all changes permanent.
-    fn keep(&mut self) {
-        self.tour.keep();
+    fn commit(&mut self) {
+        self.tour.commit();
         self.undo.clear();
     }
 
-    /// Undoes all changes since the last `keep`.
-    fn take_back(&mut self) {
-        self.tour.take_back();
+    /// Undoes all changes since the last `commit`.
+    fn revert(&mut self) {
+        self.tour.revert();
         while let Some((node, before)) = self.undo.pop() {
             self.joined[node as usize] = before;
         }
@@ -167,10 +167,10 @@ impl<'a> LocalSearch<'a> {
         // `chance` is above 0, so that its logarithm is finite.
         let chance = f64::from(random.below(CHANCES) + 1) / f64::from(CHANCES);
         if gain < warmth * chance.ln() - EPSILON {
-            self.take_back();
+            self.revert();
             gain = 0.0;
         }
-        self.keep();
+        self.commit();
         gain
     }
 

@@ -6,7 +6,7 @@ pub(super) struct Tour {
     order: Vec<u32>,
     /// The position of each node in the order.
     place: Vec<u32>,
-    /// The overwritten content since the last `keep`.
+    /// The overwritten content since the last `commit`.
     undo: Vec<u32>,
     /// The start of each write and of its part of `undo`.
     writings: Vec<(usize, usize)>,
@@ -46,7 +46,7 @@ impl Tour {
             self.place[node as usize] = i;
         }
         self.order = order;
-        self.keep();
+        self.commit();
     }
 
     /// Returns the number of places written: the search's cost besides evaluation.
@@ -181,13 +181,13 @@ impl Tour {
     }
 
     /// Makes all changes permanent.
-    pub(super) fn keep(&mut self) {
+    pub(super) fn commit(&mut self) {
         self.undo.clear();
         self.writings.clear();
     }
 
-    /// Undoes all changes since the last `keep`.
-    pub(super) fn take_back(&mut self) {
+    /// Undoes all changes since the last `commit`.
+    pub(super) fn revert(&mut self) {
         while let Some((begin, saved)) = self.writings.pop() {
             self.written += (self.undo.len() - saved) as u64;
             let mut place = begin;
@@ -331,7 +331,7 @@ mod tests {
                 expected.extend(ends.chunks(2).map(|p| (p[0].min(p[1]), p[0].max(p[1]))));
                 expected.sort_unstable();
                 prop_assert_eq!(edges(tour.order()), expected);
-                tour.take_back();
+                tour.revert();
             }
             prop_assert_eq!(tour.order(), &given);
             prop_assert!(given.iter().all(|&node| tour.previous(tour.next(node)) == node));

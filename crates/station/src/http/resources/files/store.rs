@@ -464,11 +464,30 @@ pub(super) fn unusable(what: &str, path: &Path, error: &io::Error) -> Problem {
     )
 }
 
+/// Rounded up, as in `1.3 MB`.
 fn megabytes(bytes: u64) -> String {
-    format!("{}.{} MB", bytes / 1_000_000, bytes.div_ceil(100_000) % 10)
+    let tenths = bytes.div_ceil(100_000);
+    format!("{}.{} MB", tenths / 10, tenths % 10)
 }
 
 /// The maximum size of all contents together.
 pub(super) const MOST_BYTES: u64 = 256_000_000;
 /// The maximum number of files.
 pub(super) const MOST_FILES: usize = 1000;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_size_is_rounded_up_to_a_tenth_of_a_megabyte() {
+        for (bytes, text) in [
+            (0, "0.0 MB"),
+            (1, "0.1 MB"),
+            (1_950_001, "2.0 MB"),
+            (256_000_000, "256.0 MB"),
+        ] {
+            assert_eq!(megabytes(bytes), text);
+        }
+    }
+}
