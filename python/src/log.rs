@@ -2,7 +2,7 @@
 
 use std::io::ErrorKind;
 use std::ops::RangeInclusive;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
 
 #[cfg(feature = "full")]
@@ -95,11 +95,20 @@ impl Log {
         })
     }
 
+    #[cfg(not(feature = "full"))]
+    fn export_lerobot(&self, _out: PathBuf, _task: &str) -> PyResult<(u32, u32)> {
+        self.check()?;
+        Err(not_built())
+    }
+
     /// Writes a LeRobot dataset into a new folder; returns the numbers of episodes and frames.
+    #[cfg(feature = "full")]
     fn export_lerobot(&self, py: Python<'_>, out: PathBuf, task: &str) -> PyResult<(u32, u32)> {
         py.detach(|| {
             self.check()?;
-            write_dataset(&mut self.open()?, &self.stretch, &out, task)
+            let written = export_lerobot(&mut self.open()?, &self.stretch, &out, task);
+            let dataset = written.map_err(failed)?;
+            Ok((dataset.episodes, dataset.frames))
         })
     }
 }
@@ -122,27 +131,6 @@ impl Log {
             "{file} contains no packets in this time range; there is nothing to export"
         )))
     }
-}
-
-#[cfg(feature = "full")]
-fn write_dataset(
-    recording: &mut Recording,
-    stretch: &RangeInclusive<Duration>,
-    out: &Path,
-    task: &str,
-) -> PyResult<(u32, u32)> {
-    let dataset = export_lerobot(recording, stretch, out, task).map_err(failed)?;
-    Ok((dataset.episodes, dataset.frames))
-}
-
-#[cfg(not(feature = "full"))]
-fn write_dataset(
-    _: &mut Recording,
-    _: &RangeInclusive<Duration>,
-    _: &Path,
-    _: &str,
-) -> PyResult<(u32, u32)> {
-    Err(not_built())
 }
 
 #[cfg(feature = "full")]

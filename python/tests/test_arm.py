@@ -160,13 +160,14 @@ def test_a_drawing_that_cannot_be_planned_gives_the_reason() -> None:
         dobot.plan()
     with pytest.raises(TypeError, match="unknown option `heights`; did you mean `height`?"):
         dobot.plan(text="Hello", heights=20)
-    for options, text in [
+    wrong: list[tuple[dict[str, object], str]] = [
         ({"height": "tall"}, '^height is "tall"; allowed is a number$'),
         ({"height": math.nan}, "^height is nan; allowed is a finite number$"),
         ({"at": [210, math.inf]}, r"^at\[1\] is inf; allowed is a finite number$"),
         ({"fit": 1}, "^fit is 1; allowed is True or False$"),
         ({"text": 5}, "^text is 5; allowed is a text$"),
-    ]:
+    ]
+    for options, text in wrong:
         with pytest.raises(ValueError, match=text):
             dobot.plan(**{"text": "Hello", **options})  # type: ignore[arg-type]
     with pytest.raises(FileNotFoundError):

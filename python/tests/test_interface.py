@@ -128,7 +128,7 @@ def test_a_file_in_place_of_a_plan_or_a_program_is_refused_with_the_call_to_use(
     with dobot.connect("virtual:") as arm:
         for call in (arm.run, arm.check):
             with pytest.raises(TypeError, match=r"`dobot_arm.program\('cubes.toml'\)`"):
-                call("cubes.toml")
+                call("cubes.toml")  # type: ignore[arg-type]
         with pytest.raises(TypeError, match=r"`dobot_arm.plan\('harbour.svg'\)`"):
             arm.draw("harbour.svg")  # type: ignore[arg-type]
     with pytest.raises(ValueError, match=r"steps\[0\].go.z is nan; allowed is a finite number"):
