@@ -66,6 +66,7 @@ readonly OTHER_STEPS=(
   "fuzz-long      Fuzz with random seeds for FUZZ_SECONDS, or until you stop it"
   "bench          Run all benchmarks (docs/performance.md)"
   "compare-vpype  Compare pen-up travel with vpype and LKH; takes an hour"
+  "compare-plan   Compare the time of Python's plan with vpype's"
   "compare-saxi   Compare the time from file to plan with saxi's modules"
   "compare-toppra Compare arm time with the time-optimal motion of toppra"
 )
@@ -392,6 +393,7 @@ step_python() {
     "$VENV/bin/pytest" --quiet -p no:cacheprovider --nbmake "$notebooks"
     "$VENV/bin/mypy" --strict "$tests"
     "$VENV/bin/mypy" --strict -p dobot_arm
+    "$VENV/bin/stubtest" dobot_arm --ignore-disjoint-bases --allowlist "$tests/stubtest.txt"
     "$VENV/bin/pyright" --pythonpath "$VENV/bin/python" "$tests" "$folder/dobot_arm"
     "$VENV/bin/pyright" --pythonpath "$VENV/bin/python" --verifytypes dobot_arm --ignoreexternal
   )
@@ -430,12 +432,12 @@ step_python-full() {
   rm -rf "$folder"
 }
 
-# A folder with the package's Python files and the module that was built last.
+# A folder with the package's Python files and the module that was built last, or that of a folder.
 assembled_package() {
   local folder
   folder=$(mktemp -d)
   cp -r python/dobot_arm "$folder"
-  cp "$(built)/lib_core.so" "$folder/dobot_arm/_core.abi3.so"
+  cp "${1:-$(built)}/lib_core.so" "$folder/dobot_arm/_core.abi3.so"
   # The pytest plug-in is an entry point of the installed package.
   mkdir "$folder/dobot_arm-0.dist-info"
   printf 'Metadata-Version: 2.1\nName: dobot-arm\nVersion: 0\n' >"$folder/dobot_arm-0.dist-info/METADATA"
@@ -581,6 +583,15 @@ step_compare-vpype() {
   needs_drawings order_drawings
   needs_packages compare
   "$VENV/bin/python" tests/compare/travel.py
+}
+
+step_compare-plan() {
+  local release=${CARGO_TARGET_DIR:-target}/release folder
+  needs_packages compare
+  cargo build --locked --release -p dobot-arm-python
+  folder=$(assembled_package "$release")
+  PYTHONPATH=$folder "$VENV/bin/python" tests/compare/plan_time.py
+  rm -rf "$folder"
 }
 
 step_compare-saxi() {

@@ -133,7 +133,7 @@ class AsyncJog:
         try:
             await _result_or_stopped(self._arm, self._arm._core.press(*self._press), None)
         except asyncio.CancelledError:
-            await self._let_go_quietly()
+            await self._release_quietly()
             raise
 
     async def __aexit__(
@@ -145,9 +145,9 @@ class AsyncJog:
         if error is None:
             await _result(self._arm._core.release())
         else:
-            await self._let_go_quietly()
+            await self._release_quietly()
 
-    async def _let_go_quietly(self) -> None:
+    async def _release_quietly(self) -> None:
         """Releases the button without hiding an earlier error."""
         try:
             await _result(self._arm._core.release())

@@ -120,7 +120,7 @@ class Jog:
         try:
             self._arm._core.press(*self._press).wait(None)
         except KeyboardInterrupt:
-            self._let_go_quietly()
+            self._release_quietly()
             raise
 
     def __exit__(
@@ -132,9 +132,9 @@ class Jog:
         if error is None:
             self._arm._core.release().wait(None)
         else:
-            self._let_go_quietly()
+            self._release_quietly()
 
-    def _let_go_quietly(self) -> None:
+    def _release_quietly(self) -> None:
         """What went wrong before is what counts."""
         try:
             self._arm._core.release().wait(None)

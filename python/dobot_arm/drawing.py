@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import reprlib
 import sys
@@ -13,6 +12,7 @@ from struct import error as StructError
 from typing import TYPE_CHECKING, Any
 
 from ._core import Drawing, Lines, drawing_formats
+from .values import json_object
 
 if TYPE_CHECKING:
     import numpy as np
@@ -106,7 +106,7 @@ def plan(
             options.setdefault("fit", True)
     name = None if file is None else os.fspath(file)
     drawn = None if lines is None else _copied(lines)
-    return Plan(Drawing(name, drawn, json.dumps(options, allow_nan=False)))
+    return Plan(Drawing(name, drawn, json_object(options)))
 
 
 def _copied(lines: Iterable[Points]) -> Lines:

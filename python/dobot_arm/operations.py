@@ -7,7 +7,7 @@ from collections.abc import Callable, Coroutine, Iterable, Sequence
 from dataclasses import dataclass
 from functools import update_wrapper
 from inspect import signature
-from typing import TYPE_CHECKING, Any, Concatenate, Generic, Literal, ParamSpec, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Concatenate, Generic, Literal, NoReturn, ParamSpec, TypeVar, overload
 
 from ._core import Core, Pending, joints_warning, point_warning
 from .drawing import Plan, Progress, bar
@@ -19,7 +19,7 @@ from .take import Take
 from .world import World
 
 if TYPE_CHECKING:
-    from ._core import StatusFields
+    from ._core import StatusFields, Taught
     from .aio import AsyncArm
     from .arm import Arm
 
@@ -72,6 +72,12 @@ def _points(points: Iterable[Sequence[float]]) -> list[tuple[float, float, float
             raise ValueError(f"points[{at}] is {point!r}; allowed are three numbers: x, y and z in mm") from None
         found.append((float(x), float(y), float(z)))
     return found
+
+
+def _taught(program: Program) -> Taught:
+    if not isinstance(program, Program):
+        raise TypeError(f"program is {program!r}; allowed is a program: `dobot_arm.program({program!r})`")
+    return program._taught
 
 
 def _answer(given: str | Sequence[float]) -> tuple[str | None, tuple[float, float, float, float] | None]:
@@ -128,6 +134,9 @@ class Connection:
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} {self._where}>"
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("an arm belongs to the process that connected to it; connect again in the other process")
 
     def _last(self) -> Status:
         """Returns the last known status."""
@@ -463,6 +472,8 @@ class Connection:
         number of commands; an exception in it stops the arm. Raises :class:`Paused` if the job waits for another
         pen or somebody pauses it, :class:`Failed` if it is cancelled or fails.
         """
+        if not isinstance(plan, Plan):
+            raise TypeError(f"plan is {plan!r}; allowed is a plan: `dobot_arm.plan({plan!r})`")
         return Operation(self._core.draw(plan._drawing), _nothing, progress)
 
     @operation
@@ -494,7 +505,7 @@ class Connection:
             count = times
         else:
             raise ValueError(f'times is {times!r}; allowed are 1 or more, and "forever"')
-        pending = self._core.run(program._taught, count, from_step, ask is not None)
+        pending = self._core.run(_taught(program), count, from_step, ask is not None)
 
         def report(*part: Any) -> None:
             if len(part) == 1:
@@ -508,7 +519,7 @@ class Connection:
     @operation
     def check(self, program: Program) -> Operation[ProgramReport]:
         """Checks a program for this arm and its current position; nothing moves."""
-        return Operation(self._core.check(program._taught), ProgramReport._of)
+        return Operation(self._core.check(_taught(program)), ProgramReport._of)
 
     @operation
     def resume(

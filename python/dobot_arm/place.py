@@ -22,6 +22,8 @@ def connect(
     seed: int,
 ) -> Core:
     """Begins to connect to an arm, with the arguments of :func:`dobot_arm.connect`."""
+    if not 0 <= seed < 2**64:
+        raise ValueError(f"seed is {seed}; allowed are 0 to 2**64 - 1")
     return Core(
         where,
         {

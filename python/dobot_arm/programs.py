@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any, Literal, TypedDict
 
 from ._core import Taught
+from .values import json_object
 
 ProgramProgress = Callable[[int, int, int, int | None], object]
 """Called with the step, the number of steps, the cycle, and the number of cycles."""
@@ -205,11 +206,18 @@ class Program:
         """
         return self._taught.save(os.fspath(file))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, self._taught.parts()
+
     def __len__(self) -> int:
         return self._taught.steps
 
     def __repr__(self) -> str:
         return f"<Program {self.title!r}: {len(self)} steps>"
+
+
+def _restored(*parts: Any) -> Program:
+    return Program(Taught.of_parts(*parts))
 
 
 def program(
@@ -240,7 +248,7 @@ def program(
             return Program(Taught.read(os.fspath(file)))
         assert text is not None
         return Program(Taught.of_text(text, os.fspath(folder)))
-    document = json.dumps({**named, "steps": list(steps)}, allow_nan=False)
+    document = json_object({**named, "steps": list(steps)})
     return Program(Taught.of_json(document, os.fspath(folder)))
 
 

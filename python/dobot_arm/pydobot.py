@@ -5,6 +5,7 @@ Positions are those of this arm: z is measured from the pivot of the rear arm, a
 
 from __future__ import annotations
 
+import math
 import os
 import warnings
 from enum import IntEnum
@@ -66,6 +67,10 @@ class Joints(NamedTuple):
     j3: float
     j4: float
 
+    def in_radians(self) -> Joints:
+        """Returns the angles in radians."""
+        return Joints(*map(math.radians, self))
+
 
 class Pose(NamedTuple):
     """A position and its joint angles."""
@@ -87,6 +92,15 @@ class Dobot:
 
     arm: Arm
     """The arm itself, with all its methods."""
+    x: float
+    """Of the last :meth:`pose`, like ``y``, ``z``, ``r`` and ``j1`` to ``j4``."""
+    y: float
+    z: float
+    r: float
+    j1: float
+    j2: float
+    j3: float
+    j4: float
 
     def __init__(self, port: str | None = None, verbose: bool = False) -> None:
         address = port if port is not None and ":" in port or port == "station" else os.environ.get("DOBOT_ARM", "station")
@@ -95,7 +109,7 @@ class Dobot:
         self.arm = connect(address, name="pydobot")
         self._begun: Pending | None = None
         self._moves = 0
-        self._home = self.get_pose().position
+        self._home = Position(*self.pose()[:4])
         self.arm.set_moves(
             joint_speed=200, joint_acceleration=200, servo_speed=200, servo_acceleration=200,
             linear_speed=200, linear_acceleration=200, jump_height=10,
@@ -164,9 +178,10 @@ class Dobot:
         how = (path, None, None, 0.0)
         if mode.name.endswith("ANGLE"):
             self._begun = self.arm._core.move_joints((x, y, z, r), how)
+        elif mode == PTPMode.MOVJ_INC:
+            base, rear, fore, servo = (angle + (by or 0.0) for angle, by in zip(self.arm.joints, (x, y, z, r)))
+            self._begun = self.arm._core.move_joints((base, rear, fore, servo), how)
         elif mode.name.endswith("INC"):
-            if mode == PTPMode.MOVJ_INC:
-                raise NotImplementedError("MOVJ_INC is not supported; use mode=MOVJ_ANGLE with all angles")
             self._begun = self.arm._core.move_to("current", (x, y, z, r), how)
         else:
             self._begun = self.arm._core.move_to("base", (x, y, z, r), how)
@@ -206,8 +221,9 @@ class Dobot:
         """Returns x, y, z, r (mm and degrees) and the angles of base, rear arm, forearm and servo (degrees), also
         during a move.
         """
-        (x, y, z, r), (j1, j2, j3, j4) = self.arm.pose, self.arm.joints
-        return x, y, z, r, j1, j2, j3, j4
+        self.x, self.y, self.z, self.r = self.arm.pose
+        self.j1, self.j2, self.j3, self.j4 = self.arm.joints
+        return self.x, self.y, self.z, self.r, self.j1, self.j2, self.j3, self.j4
 
     def get_pose(self) -> Pose:
         """Returns position and joint angles, also during a move."""

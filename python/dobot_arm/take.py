@@ -41,7 +41,8 @@ class Take:
         degrees of the tool's rotation). Pump and gripper are switched where they were.
         """
         places = [
-            ((it.x_mm, it.y_mm, it.z_mm), it.rotation_deg, it.suction, it.gripper_deg) for it in self.statuses
+            ((status.x_mm, status.y_mm, status.z_mm), status.rotation_deg, status.suction, status.gripper_deg)
+            for status in self.statuses
         ]
         if not places:
             raise ValueError("nothing was recorded: no status arrived during the `with` block")

@@ -7,6 +7,7 @@ use dobot_draw::{
     Settings, Subject, View, WITHOUT_ARM_Z_MM,
 };
 use dobot_geometry::Point;
+use dobot_teach::nearest;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use serde_json::{Map, Value};
@@ -182,15 +183,9 @@ fn grouped(json: &str) -> PyResult<Options> {
             .iter()
             .find(|(_, options)| options.get(&name).is_some());
         let Some((group, _)) = group else {
-            let names = known
-                .values()
-                .filter_map(Value::as_object)
-                .flat_map(Map::keys);
-            let names: Vec<&str> = names.map(String::as_str).collect();
-            return Err(PyTypeError::new_err(format!(
-                "unknown option `{name}`; allowed are {}",
-                names.join(", ")
-            )));
+            let groups = known.values().filter_map(Value::as_object);
+            let names: Vec<&str> = groups.flat_map(Map::keys).map(String::as_str).collect();
+            return Err(PyTypeError::new_err(unknown_option(&name, &names)));
         };
         let group = asked.entry(group).or_insert_with(|| Map::new().into());
         group[&name] = value;
@@ -198,10 +193,35 @@ fn grouped(json: &str) -> PyResult<Options> {
     serde_path_to_error::deserialize(Value::Object(asked)).map_err(|error| {
         let path = error.path().to_string();
         let name = path.rsplit('.').next().unwrap_or_default();
-        let problem = error.inner().to_string();
-        let problem = problem.replace("expected f64", "allowed is a number");
-        PyValueError::new_err(format!("{name}: {problem}"))
+        PyValueError::new_err(wrong_option(name, &error.inner().to_string()))
     })
+}
+
+fn unknown_option(name: &str, allowed: &[&str]) -> String {
+    let similar = nearest(name, allowed.iter().copied());
+    let similar = similar.map_or_else(String::new, |similar| format!("did you mean `{similar}`? "));
+    format!(
+        "unknown option `{name}`; {similar}allowed are {}",
+        allowed.join(", ")
+    )
+}
+
+/// Returns the error of an option with a value of the wrong type, in the terms of Python.
+fn wrong_option(name: &str, problem: &str) -> String {
+    let types = problem.strip_prefix("invalid type: ");
+    let Some((found, allowed)) = types.and_then(|types| types.split_once(", expected ")) else {
+        return format!("{name}: {problem}");
+    };
+    let allowed = match allowed {
+        "f64" => "a number",
+        "a boolean" => "True or False",
+        "a string" => "a text",
+        other => other,
+    };
+    let kinds = ["string ", "integer ", "floating point ", "boolean "];
+    let value = kinds.iter().find_map(|kind| found.strip_prefix(kind));
+    let found = value.unwrap_or(found);
+    format!("{name} is {}; allowed is {allowed}", found.replace('`', ""))
 }
 
 fn of_file(file: &str) -> PyResult<Subject> {

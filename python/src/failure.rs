@@ -30,7 +30,7 @@ pub(crate) enum Failure {
     Stopped,
     Closed,
     Forked,
-    Unheard,
+    NoMoreStatuses,
 }
 
 impl Failure {
@@ -42,21 +42,23 @@ impl Failure {
             Self::Paused { .. } => "Paused",
             Self::LinkLost { .. } => "LinkLost",
             Self::Stopped => "Stopped",
-            Self::Closed | Self::Forked | Self::Unheard => "Closed",
+            Self::Closed | Self::Forked | Self::NoMoreStatuses => "Closed",
         }
     }
 
     /// Returns the remedy.
-    pub(crate) fn hint(&self) -> Option<&str> {
+    fn hint(&self) -> Option<Cow<'_, str>> {
         match self {
-            Self::Refused(problem) => problem.hint.as_deref(),
-            Self::Failed { hint, .. } | Self::LinkLost { hint, .. } => hint.as_deref(),
-            Self::Paused { .. } => {
-                Some("resume it with `arm.resume()`, or cancel it with `arm.cancel()`")
+            Self::Refused(problem) => problem.hint.as_deref().map(in_python_calls),
+            Self::Failed { hint, .. } | Self::LinkLost { hint, .. } => {
+                hint.as_deref().map(in_python_calls)
             }
-            Self::Stopped => Some("when the arm may move again, call `arm.reset_stop()`"),
-            Self::Closed | Self::Forked | Self::Unheard => {
-                Some("connect again with `dobot_arm.connect(...)`")
+            Self::Paused { .. } => {
+                Some("resume it with `arm.resume()`, or cancel it with `arm.cancel()`".into())
+            }
+            Self::Stopped => Some("when the arm may move again, call `arm.reset_stop()`".into()),
+            Self::Closed | Self::Forked | Self::NoMoreStatuses => {
+                Some("connect again with `dobot_arm.connect(...)`".into())
             }
         }
     }
@@ -71,7 +73,7 @@ impl fmt::Display for Failure {
             },
             Self::Stopped => f.write_str("the arm was stopped during the operation"),
             Self::Closed => f.write_str("the arm was disconnected"),
-            Self::Unheard => f.write_str(
+            Self::NoMoreStatuses => f.write_str(
                 "there are no more statuses: the arm was disconnected, or more than an hour of statuses was not read",
             ),
             Self::Forked => f.write_str(
@@ -170,6 +172,49 @@ fn in_python_terms(detail: &str) -> Cow<'_, str> {
     }
     parts().map_or(Cow::Borrowed(detail), Cow::Owned)
 }
+
+/// Replaces the commands of the program in a hint by calls, and removes the requests of the API.
+///
+/// ``confirm it: `dobot confirm` or `POST /api/v1/pose/confirm` `` becomes
+/// ``confirm it: `arm.confirm_pose()` ``.
+fn in_python_calls(hint: &str) -> Cow<'_, str> {
+    let mut parts = hint.split(" or `");
+    let mut text = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        match part.split_once('`') {
+            Some((request, rest)) if request.contains(" /api/v1/") => text.push_str(rest),
+            _ => {
+                text.push_str(" or `");
+                text.push_str(part);
+            }
+        }
+    }
+    for (command, call) in CALLS {
+        text = text.replace(command, call);
+    }
+    text.into()
+}
+
+/// The commands of the program in hints, and the calls that do the same.
+const CALLS: [(&str, &str); 11] = [
+    ("`dobot confirm`", "`arm.confirm_pose()`"),
+    ("`dobot stop --reset`", "`arm.reset_stop()`"),
+    ("`dobot stop`", "`arm.stop()`"),
+    ("`dobot policy`", "`arm.state().policy`"),
+    ("`dobot lease ask`", "`arm.request_control()`"),
+    ("`dobot lease`", "`arm.state().control`"),
+    ("`dobot jobs`", "`arm.state().jobs`"),
+    ("`dobot watch`", "`arm.state().link`"),
+    ("`dobot set percent`", "`arm.speed(...)`"),
+    (
+        "`--dialect firmware-1.1`",
+        "`connect(..., dialect=\"firmware-1.1\")`",
+    ),
+    (
+        "arm the laser from the client that uses it: `--arm-laser 600` of `dobot jog` and `dobot jobs start`,",
+        "arm the laser: `arm.arm_laser(60)`",
+    ),
+];
 
 /// The floats of commands, and the arguments of the Python package.
 const ARGUMENTS: [(&str, &str); 32] = [

@@ -143,7 +143,7 @@ impl Statuses {
             };
             match py.detach(|| self.statuses.receive(time)) {
                 Received::Message(status) => return dict(py, status),
-                Received::Closed => return Err(exception(py, &Failure::Unheard)),
+                Received::Closed => return Err(exception(py, &Failure::NoMoreStatuses)),
                 Received::Nothing => py.check_signals()?,
             }
             let asked: &Arc<Mailbox<Report>> = asked.get_or_insert_with(|| self.pass());
@@ -157,7 +157,7 @@ impl Statuses {
     fn poll<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
         match self.statuses.receive(Duration::ZERO) {
             Received::Message(status) => dict(py, status).map(Some),
-            Received::Closed => Err(exception(py, &Failure::Unheard)),
+            Received::Closed => Err(exception(py, &Failure::NoMoreStatuses)),
             Received::Nothing => Ok(None),
         }
     }

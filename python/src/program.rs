@@ -113,6 +113,23 @@ impl Taught {
         })
     }
 
+    /// Restores a program from its [`parts`](Self::parts).
+    #[staticmethod]
+    fn of_parts(
+        text: String,
+        name: &str,
+        folder: PathBuf,
+        warnings: Vec<String>,
+    ) -> PyResult<Self> {
+        Self::new(text, name, &folder, warnings).map_err(|error| value_error(&error))
+    }
+
+    /// Returns the text, the name, the folder of its files and the warnings, for pickling.
+    fn parts(&self) -> (&str, &str, &Path, Vec<String>) {
+        let Source { name, folder, .. } = &*self.source;
+        (&self.text, name, folder, self.warnings.clone())
+    }
+
     /// Returns the JSON Schema of a program.
     #[staticmethod]
     fn schema() -> String {

@@ -42,15 +42,15 @@ impl Served {
         scene: Option<&str>,
         faults: Vec<String>,
         seed: u64,
-        factor: &str,
+        speed: &str,
     ) -> PyResult<Self> {
         let arm = VirtualSetup::new(personality, scene, &faults, seed)?;
-        let factor: Speed = factor.parse().map_err(|error| value_error(&error))?;
+        let speed: Speed = speed.parse().map_err(|error| value_error(&error))?;
         let events = Events::default();
         let (asked, questions) = unbounded_channel();
         let (sender, places) = channel();
         let shared = Arc::clone(&events);
-        let thread = thread::spawn(move || serve(&arm, factor, questions, &sender, &shared));
+        let thread = thread::spawn(move || serve(&arm, speed, questions, &sender, &shared));
         let places = py.detach(move || places.recv());
         let places = places.map_err(|_| PyRuntimeError::new_err("its thread has ended"))?;
         let (serial, tcp) = places?;

@@ -59,7 +59,7 @@ def test_a_stopped_arm_moves_only_after_a_reset() -> None:
         arm.move_to(220, 0, 20)
 
 
-def test_an_arm_that_was_let_go_of_says_so() -> None:
+def test_a_closed_arm_is_reported_as_closed() -> None:
     arm = dobot.connect("virtual:")
     arm.close()
     with pytest.raises(dobot.Closed):
@@ -127,7 +127,7 @@ def test_a_file_is_planned_and_drawn_as_the_documentation_says() -> None:
         plan = dobot.plan(HARBOUR, paper="a5")
         assert plan.vectors > 100
         reported: list[tuple[int, int]] = []
-        arm.draw(plan, progress=lambda *it: reported.append(it))
+        arm.draw(plan, progress=lambda *part: reported.append(part))
         assert reported == sorted(reported)
         completed, commands = reported[-1]
         assert 100 < completed <= commands
@@ -158,10 +158,18 @@ def test_a_drawing_that_cannot_be_planned_gives_the_reason() -> None:
         dobot.plan(text="Hello", sheet="a5")
     with pytest.raises(TypeError, match="text="):
         dobot.plan()
-    with pytest.raises(ValueError, match="height"):
-        dobot.plan(text="Hello", height="tall")
-    with pytest.raises(ValueError, match="JSON"):
-        dobot.plan(text="Hello", height=math.nan)
+    with pytest.raises(TypeError, match="unknown option `heights`; did you mean `height`?"):
+        dobot.plan(text="Hello", heights=20)
+    wrong: list[tuple[dict[str, object], str]] = [
+        ({"height": "tall"}, '^height is "tall"; allowed is a number$'),
+        ({"height": math.nan}, "^height is nan; allowed is a finite number$"),
+        ({"at": [210, math.inf]}, r"^at\[1\] is inf; allowed is a finite number$"),
+        ({"fit": 1}, "^fit is 1; allowed is True or False$"),
+        ({"text": 5}, "^text is 5; allowed is a text$"),
+    ]
+    for options, text in wrong:
+        with pytest.raises(ValueError, match=text):
+            dobot.plan(**{"text": "Hello", **options})  # type: ignore[arg-type]
     with pytest.raises(FileNotFoundError):
         dobot.plan("no-such-file.svg")
 
@@ -190,7 +198,7 @@ def test_a_jog_lasts_as_long_as_its_with_and_ends_at_rest() -> None:
         assert arm.next_status().y_mm == pytest.approx(after.y_mm, abs=0.5)
 
 
-def test_a_jog_that_is_too_long_is_let_go_and_says_so() -> None:
+def test_a_jog_that_is_too_long_is_released_with_an_error() -> None:
     with dobot.connect("virtual:") as arm:
         arm.move_to(200, 0, 60)
         with pytest.raises(dobot.Failed, match="at_most"):
@@ -228,18 +236,18 @@ def test_statuses_come_one_by_one_while_time_passes() -> None:
     with dobot.connect("virtual:") as arm:
         arm.move_to(200, 0, 60)
         with arm.jog("y+", speed=50):
-            seen = [it.y_mm for it in islice(arm.statuses(), 10)]
+            seen = [status.y_mm for status in islice(arm.statuses(), 10)]
         assert seen == sorted(seen)
         assert seen[-1] > seen[0]
 
 
-def test_statuses_tell_of_a_move_that_another_thread_makes(station: str) -> None:
+def test_statuses_show_a_move_that_another_thread_makes(station: str) -> None:
     with dobot.connect(station) as arm, ThreadPoolExecutor() as threads:
         arm.confirm_pose()
         arm.move_to(200, -50, 60)
         statuses = arm.statuses()
         move = threads.submit(arm.move_to, 200, 50, 60)
-        assert any(abs(it.y_mm) < 40 for it in islice(statuses, 100))
+        assert any(abs(status.y_mm) < 40 for status in islice(statuses, 100))
         assert not move.done()
         move.result()
 
@@ -302,13 +310,13 @@ def test_the_arm_stops_when_the_interpreter_that_jogs_it_is_killed(
     with dobot.connect(station) as watcher:
         statuses = watcher.statuses()
         with interpreter(JOGS, station, "jogs") as jogger:
-            assert any(it.y_mm > 3 for it in islice(statuses, 200))
+            assert any(status.y_mm > 3 for status in islice(statuses, 200))
             jogger.kill()
         # The recording is written with a delay.
         assert any(jogs_sent(tmp_path)[-1] == "released" for _ in islice(statuses, 200))
         assert "y_plus" in jogs_sent(tmp_path)
         # It decelerates, and then rests.
-        reported = (it.y_mm for it in islice(statuses, 200))
+        reported = (status.y_mm for status in islice(statuses, 200))
         ended = next((y_mm for y_mm, next_mm in pairwise(reported) if y_mm == next_mm), None)
         watcher.wait(0.5)
         assert watcher.next_status().y_mm == ended
@@ -366,7 +374,7 @@ def jogs_sent(folder: Path) -> list[str]:
 
 def lights_sent(folder: Path) -> list[str]:
     """The laser packets in the station's recording."""
-    return [it for it in sent(folder, "joint_jog") if it in ("none", "laser_on", "laser_off")]
+    return [axis for axis in sent(folder, "joint_jog") if axis in ("none", "laser_on", "laser_off")]
 
 
 def sent(folder: Path, kind: str) -> list[str]:
@@ -376,24 +384,24 @@ def sent(folder: Path, kind: str) -> list[str]:
         [os.environ["DOBOT"], "log", str(file), "--json"], capture_output=True, text=True, check=True
     )
     reported = [json.loads(line).get("command") for line in log.stdout.splitlines()]
-    return ["none", *(it["axis"] for it in reported if it and it["type"] == kind)]
+    return ["none", *(command["axis"] for command in reported if command and command["type"] == kind)]
 
 
-def test_coroutines_move_the_arm_and_hear_its_statuses_meanwhile() -> None:
+def test_coroutines_move_the_arm_and_receive_its_statuses_meanwhile() -> None:
     async def main() -> None:
         async with await dobot.aconnect("virtual:firmware-1.1") as arm:
-            heard: list[float] = []
+            received: list[float] = []
 
-            async def hear() -> None:
+            async def receive() -> None:
                 async for status in arm.statuses():
-                    heard.append(status.y_mm)
+                    received.append(status.y_mm)
 
-            listener = asyncio.create_task(hear())
+            listener = asyncio.create_task(receive())
             await asyncio.sleep(0)
             there = await arm.move_to(200, 100, 40)
             assert there.y_mm == pytest.approx(100, abs=1)
             listener.cancel()
-            assert len(heard) > 5
+            assert len(received) > 5
             async with arm.jog("y-", 20):
                 await arm.wait(0.5)
             assert (await arm.next_status()).y_mm < there.y_mm
@@ -414,7 +422,7 @@ def test_loops_may_share_an_arm_one_after_the_other_and_at_once() -> None:
     with ThreadPoolExecutor() as threads:
         reported = list(threads.map(in_a_loop_of_its_own, (0, 30)))
     # Each waits for its own motion, or for that and the next one.
-    assert {round(it) for it in reported} <= {0, 30}
+    assert {round(y_mm) for y_mm in reported} <= {0, 30}
     assert round(asyncio.run(arm.next_status()).y_mm) in (0, 30)
     asyncio.run(arm.close())
 
@@ -432,9 +440,9 @@ def test_a_task_that_is_cancelled_stops_the_arm(station: str) -> None:
     asyncio.run(main())
 
 
-def test_both_faces_of_an_arm_do_the_same() -> None:
-    def names(face: type) -> set[str]:
-        return {it for it in vars(face) if not it.startswith("_")}
+def test_the_blocking_and_the_asynchronous_arm_have_the_same_names() -> None:
+    def names(kind: type) -> set[str]:
+        return {name for name in vars(kind) if not name.startswith("_")}
 
     assert names(dobot.Arm) - {"pose", "joints", "ink", "objects"} == names(dobot.AsyncArm)
 
@@ -534,7 +542,7 @@ def test_a_million_points_are_planned_with_two_copies_of_them() -> None:
     assert float(found.stdout) < 5.4
 
 
-def test_lines_that_are_none_say_where() -> None:
+def test_an_invalid_line_is_named_with_its_position() -> None:
     np = pytest.importorskip("numpy")
     with pytest.raises(ValueError, match=r"point 1 of line 2 is \(NaN, 0\)"):
         dobot.plan(lines=[[(0, 0), (1, 1)], [(math.nan, 0), (1, 1)]])

@@ -17,7 +17,7 @@ import pytest
 import dobot_arm as dobot
 from dobot_arm import operations
 
-OPERATIONS = [name for name, it in vars(operations.Connection).items() if isinstance(it, operations.operation)]
+OPERATIONS = [name for name, value in vars(operations.Connection).items() if isinstance(value, operations.operation)]
 
 
 def public(owner: type) -> list[str]:
@@ -41,14 +41,14 @@ def test_help_of_an_operation_shows_its_arguments_and_its_result(owner: type) ->
 def test_every_public_name_has_a_documentation_and_a_signature() -> None:
     for name in dobot.__all__:
         assert name in dir(dobot)
-        it = getattr(dobot, name)
-        if inspect.isfunction(it):
-            shown = str(inspect.signature(it))
-            assert it.__doc__ and "Core" not in shown and "->" in shown, name
-        elif inspect.isclass(it) and it.__module__.startswith("dobot_arm"):
-            assert it.__doc__, name
-            for member in public(it):
-                found = inspect.getattr_static(it, member)
+        value = getattr(dobot, name)
+        if inspect.isfunction(value):
+            shown = str(inspect.signature(value))
+            assert value.__doc__ and "Core" not in shown and "->" in shown, name
+        elif inspect.isclass(value) and value.__module__.startswith("dobot_arm"):
+            assert value.__doc__, name
+            for member in public(value):
+                found = inspect.getattr_static(value, member)
                 if inspect.isfunction(found) and found.__module__.startswith("dobot_arm"):
                     assert found.__doc__, f"{name}.{member}"
                     parameters = list(inspect.signature(found).parameters.values())
@@ -78,6 +78,19 @@ def test_exceptions_survive_pickling_and_copying(fails: Callable[[dobot.Arm], ob
     for again in (pickle.loads(pickle.dumps(raised.value)), copy.deepcopy(raised.value), copy.copy(raised.value)):
         assert type(again) is type(raised.value)
         assert str(again) == str(raised.value) and vars(again) == vars(raised.value)
+
+
+def test_programs_and_reports_can_be_passed_to_other_processes_and_arms_cannot() -> None:
+    program = dobot.program(title="there", steps=[{"go": {"x": 200, "y": 0, "z": 20}}])
+    again = pickle.loads(pickle.dumps(program))
+    assert (again.title, again.text, len(again)) == ("there", program.text, 1) and again.check() == program.check()
+    with dobot.connect("virtual:", world="[pen]\ndown_z_mm = -40\n[paper]\nx_mm = [160, 280]\ny_mm = [-60, 60]\n") as arm:
+        arm.run(again, progress=None)
+        for value in (arm.next_status(), arm.pose, arm.joints, arm.state(), arm.check(program)):
+            assert pickle.loads(pickle.dumps(value)) == value
+        assert pickle.loads(pickle.dumps(arm.world())).ink == arm.ink
+        with pytest.raises(TypeError, match="connect again in the other process"):
+            pickle.dumps(arm)
 
 
 WRONG: list[tuple[Callable[[dobot.Arm], object], str]] = [
@@ -111,6 +124,55 @@ def test_values_are_refused_in_the_same_words_by_a_station(station: str) -> None
             arm.move_to(math.nan, 0, 0)
 
 
+def test_a_file_in_place_of_a_plan_or_a_program_is_refused_with_the_call_to_use() -> None:
+    with dobot.connect("virtual:") as arm:
+        for call in (arm.run, arm.check):
+            with pytest.raises(TypeError, match=r"`dobot_arm.program\('cubes.toml'\)`"):
+                call("cubes.toml")  # type: ignore[arg-type]
+        with pytest.raises(TypeError, match=r"`dobot_arm.plan\('harbour.svg'\)`"):
+            arm.draw("harbour.svg")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match=r"steps\[0\].go.z is nan; allowed is a finite number"):
+        dobot.program(steps=[{"go": {"x": 200, "y": 0, "z": math.nan}}])
+    with pytest.raises(ValueError, match="seed is -1"):
+        dobot.connect("virtual:", seed=-1)
+
+
+def test_numbers_and_arrays_of_numpy_are_allowed_everywhere() -> None:
+    np = pytest.importorskip("numpy")
+    x, y, z = np.array([210, 10, 20], dtype=np.float32)
+    with dobot.connect("virtual:") as arm:
+        arm.move_to(x, y, z, r=np.int64(0), suction=np.bool_(True))
+        assert arm.pose[:3] == pytest.approx((210, 10, 20), abs=0.1)
+        arm.follow(np.array([[210, 10, 20], [220, 0, 30]]), speed=np.float64(40))
+        arm.run(dobot.program(steps=[{"go": {"x": x, "y": y, "z": z}, "pause": np.float32(0.1)}]), progress=None)
+        assert arm.pose[:3] == pytest.approx((210, 10, 20), abs=0.1)
+    plan = dobot.plan(text="I", height=np.float32(5), at=np.array([210, 20]))
+    assert plan.strokes == dobot.plan(text="I", height=5, at=[210, 20]).strokes
+
+
+def hint(call: Callable[[], object]) -> str:
+    """The hint of a refused call."""
+    with pytest.raises(dobot.Refused) as refused:
+        call()
+    assert refused.value.hint is not None and "/api/" not in refused.value.hint
+    return refused.value.hint
+
+
+def test_hints_name_the_calls_that_help(station: str) -> None:
+    with dobot.connect(station, name="first") as arm, dobot.connect(station, name="second") as other:
+        assert "`arm.state().policy`" in hint(lambda: arm.move_to(320, 0, 100))
+        assert "`arm.arm_laser(60)`" in hint(lambda: arm.laser(True))
+        arm.move_to(220, 0, 20)
+        assert "`arm.request_control()`" in hint(lambda: other.move_to(220, 10, 20))
+        arm.stop()
+        assert "`arm.reset_stop()`" in hint(lambda: arm.move_to(220, 0, 20))
+    with dobot.connect("virtual:firmware-1.1") as arm:
+        arm.move_to(200, 80, 20)
+        arm.set_faults("reset@1s")
+        arm.wait(5)
+        assert "`arm.confirm_pose()`" in hint(lambda: arm.move_to(220, 0, 20))
+
+
 def test_files_and_lines_are_named_in_errors(tmp_path: Path) -> None:
     for read in (dobot.plan, dobot.program, dobot.log):
         with pytest.raises(FileNotFoundError) as missing:
@@ -138,7 +200,7 @@ def test_statuses_are_received_from_the_call_on() -> None:
         statuses = arm.statuses()
         arm.move_to(220, 40, 20)
         seen = list(islice(statuses, 10))
-        assert seen[0].y_mm < 0 and any(it.moving for it in seen)
+        assert seen[0].y_mm < 0 and any(status.moving for status in seen)
 
 
 def test_omitted_axes_relative_and_polar_moves() -> None:
@@ -168,11 +230,11 @@ def test_a_move_is_straight_and_a_jump_lifts() -> None:
         arm.move_to(220, -40, 20)
         with arm.record() as straight:
             arm.move_to(220, 40, 20)
-        assert max(it.z_mm for it in straight.statuses) < 21
-        assert max(it.x_mm for it in straight.statuses) < 221
+        assert max(status.z_mm for status in straight.statuses) < 21
+        assert max(status.x_mm for status in straight.statuses) < 221
         with arm.record() as lifted:
             arm.jump(220, -40, 20)
-        assert max(it.z_mm for it in lifted.statuses) > 35
+        assert max(status.z_mm for status in lifted.statuses) > 35
 
 
 def test_the_state_of_a_station_is_known(station: str) -> None:

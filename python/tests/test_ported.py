@@ -6,6 +6,7 @@ Those in ``ported/`` are rewritten from public scripts for pydobot and its forks
 from __future__ import annotations
 
 import math
+import re
 import runpy
 from collections.abc import Iterator
 from itertools import pairwise
@@ -14,7 +15,7 @@ from pathlib import Path
 import pytest
 
 import dobot_arm as dobot
-from dobot_arm import pydobot
+from dobot_arm import pydobot, pydobotplus
 
 DESK = Path(__file__).parent / "scenes" / "desk.toml"
 TABLE = DESK.with_name("table.toml")
@@ -64,16 +65,16 @@ def test_the_sample_of_pydobot_goes_forward_and_back_on_a_straight_line(
     arm = stage.play("readme_sample.py", DESK)
     first, last = stage.seen[0], arm.next_status()
     assert (last.x_mm, last.y_mm, last.z_mm) == pytest.approx((first.x_mm, first.y_mm, first.z_mm), abs=0.5)
-    assert max(it.x_mm for it in stage.seen) == pytest.approx(first.x_mm + 20, abs=0.5)
-    assert all(abs(it.z_mm - first.z_mm) < 0.5 and abs(it.y_mm) < 0.5 for it in stage.seen)
+    assert max(status.x_mm for status in stage.seen) == pytest.approx(first.x_mm + 20, abs=0.5)
+    assert all(abs(status.z_mm - first.z_mm) < 0.5 and abs(status.y_mm) < 0.5 for status in stage.seen)
     assert "pydobot: " in capsys.readouterr().out
 
 
 def test_a_block_is_carried_by_suction(stage: Stage) -> None:
     arm = stage.play("block_by_suction.py", TABLE)
     dobot.assert_object(arm, "cube", at=(200, -60), bottom_mm=0, held=False, within_mm=1)
-    carried = [it for it in stage.seen if it.suction and abs(it.y_mm) < 50]
-    assert carried and all(it.z_mm == pytest.approx(20, abs=0.5) for it in carried)
+    carried = [status for status in stage.seen if status.suction and abs(status.y_mm) < 50]
+    assert carried and all(status.z_mm == pytest.approx(20, abs=0.5) for status in carried)
 
 
 def test_a_gripper_goes_down_straight_and_closes(stage: Stage) -> None:
@@ -81,11 +82,11 @@ def test_a_gripper_goes_down_straight_and_closes(stage: Stage) -> None:
     last = arm.next_status()
     assert (last.x_mm, last.y_mm, last.z_mm) == pytest.approx((230, 25, 20), abs=0.5)
     assert last.gripper_deg == -90
-    above = next(at for at, it in enumerate(stage.seen) if it.z_mm > 19)
-    below = [it for it in stage.seen[above:] if it.z_mm < 19]
-    assert min(it.z_mm for it in below) == pytest.approx(-30, abs=0.5)
-    assert all(math.dist((it.x_mm, it.y_mm), (230, 25)) < 0.5 for it in below)
-    assert {it.gripper_deg for it in below} == {90.0, -90.0}
+    above = next(at for at, status in enumerate(stage.seen) if status.z_mm > 19)
+    below = [status for status in stage.seen[above:] if status.z_mm < 19]
+    assert min(status.z_mm for status in below) == pytest.approx(-30, abs=0.5)
+    assert all(math.dist((status.x_mm, status.y_mm), (230, 25)) < 0.5 for status in below)
+    assert {status.gripper_deg for status in below} == {90.0, -90.0}
 
 
 def test_a_script_for_pydobotplus_reaches_its_positions(stage: Stage) -> None:
@@ -114,6 +115,23 @@ def test_a_rectangle_for_a_uarm_is_a_rectangle() -> None:
         dobot.assert_ink(arm, [corners])
 
 
+def test_omitted_axes_and_polar_moves_for_a_uarm_reach_their_positions() -> None:
+    """After the uArm's `test_move`: one coordinate at a time, in both systems."""
+    with dobot.connect("virtual:firmware-1.1") as arm:
+        arm.move_to(220, 0, 40)
+        arm.move_to(x=200)                                       # set_position(x=200, speed=10000)
+        arm.move_to(y=100)                                       # set_position(y=100)
+        arm.move_to(z=60)                                        # set_position(z=60)
+        assert arm.pose[:3] == pytest.approx((200, 100, 60), abs=0.1)
+        arm.move_polar(reach=190)                                # set_polar(stretch=190)
+        assert math.hypot(*arm.pose[:2]) == pytest.approx(190, abs=0.1)
+        assert arm.joints.base_deg == pytest.approx(math.degrees(math.atan2(100, 200)), abs=0.1)
+        arm.move_polar(angle=30)                                 # set_polar(rotation=120)
+        assert arm.pose[:3] == pytest.approx((190 * math.cos(math.pi / 6), 95, 60), abs=0.1)
+        arm.move_polar(reach=180, angle=0, z=50)                 # set_polar(stretch=180, rotation=90, height=50, wait=True)
+        assert arm.pose[:3] == pytest.approx((180, 0, 50), abs=0.1)
+
+
 def test_relative_moves_for_an_xarm_end_where_they_began() -> None:
     """After the xArm's `1003-relative_move_line`, and its continuous moves with a radius."""
     steps = [(20, 0, 0), (0, 30, 0), (-20, 0, 0), (0, -30, 0)]
@@ -136,8 +154,8 @@ def test_a_path_is_followed_without_a_stop_in_between(personality: str) -> None:
             arm.follow(corners, speed=40)
         assert arm.pose[:3] == pytest.approx(corners[-1], abs=0.5)
     path = take.statuses
-    for it in path:
-        assert min(far_from_line(it, a, b) for a, b in pairwise(corners)) < 0.6
+    for status in path:
+        assert min(far_from_line(status, a, b) for a, b in pairwise(corners)) < 0.6
     moving = [math.dist((a.x_mm, a.y_mm, a.z_mm), (b.x_mm, b.y_mm, b.z_mm)) / 0.08 for a, b in pairwise(path)]
     begin = next(at for at, speed in enumerate(moving) if speed > 5)
     end = max(at for at, speed in enumerate(moving) if speed > 5)
@@ -177,3 +195,81 @@ def test_what_the_arm_of_2016_lacks_is_named() -> None:
         device.move_to(220, 0, 20, 0, wait=True)
     assert device.pose() == before
     device.close()
+
+
+# The public names of pydobot 1.3.2 and of its PTPMode, without the queue's private ones.
+PYDOBOT = "close get_eio go grip j1 j2 j3 j4 move_to pose r set_eio speed suck verbose wait x y z"
+PTP_MODES = (
+    "JUMP_XYZ MOVJ_XYZ MOVL_XYZ JUMP_ANGLE MOVJ_ANGLE MOVL_ANGLE MOVJ_INC MOVL_INC MOVJ_XYZ_INC JUMP_MOVL_XYZ"
+)
+# The public methods of pydobotplus 0.1.2.
+PYDOBOTPLUS = (
+    "clear_alarms close conveyor_belt conveyor_belt_distance engrave get_alarms get_color get_hht_trig_output get_ir "
+    "get_pose go_arc grip home jog_r jog_x jog_y jog_z laze move_rel move_to set_color set_hht_trig_output set_home "
+    "set_io set_ir speed suck wait_for_cmd"
+)
+
+
+def test_all_names_of_pydobot_are_here() -> None:
+    assert [mode.name for mode in pydobot.PTPMode] == PTP_MODES.split()
+    with pydobot.Dobot("virtual:firmware-1.1") as device:
+        for name in PYDOBOT.split():
+            assert hasattr(device, name), name
+        assert device.pose() == (device.x, device.y, device.z, device.r, device.j1, device.j2, device.j3, device.j4)
+
+
+def test_every_name_of_pydobotplus_is_here_or_says_what_to_use() -> None:
+    with pydobotplus.Dobot("virtual:firmware-1.1") as device:
+        for name in PYDOBOTPLUS.split():
+            try:
+                assert callable(getattr(device, name)), name
+            except AttributeError as error:
+                assert re.search(f"'{name}': (.*device.arm|.*no such port)", str(error)), name
+        with pytest.raises(AttributeError, match="'Dobot' object has no attribute 'fly'$"):
+            getattr(device, "fly")
+        assert device.get_pose().joints.in_radians().j2 == pytest.approx(math.radians(device.get_pose().joints.j2))
+        with pytest.raises(pydobotplus.DobotException):
+            device.move_to(900, 0, 0)
+
+
+def test_a_move_can_be_an_increment_of_angles() -> None:
+    with pydobot.Dobot("virtual:firmware-1.1") as device:
+        before = device.arm.move_joints(0, 20, 30, 0)
+        device.move_to(5, -2, 3, 4, wait=True, mode=pydobot.MODE_PTP.MOVJ_INC)
+        base, rear, fore, servo = device.arm.joints
+        assert (base, rear - before.rear_deg, fore - before.fore_deg, servo) == pytest.approx((5, -2, 3, 4), abs=0.1)
+
+
+PAGE = Path(__file__).parents[2] / "docs" / "python.md"
+
+
+def spans(column: int) -> list[str]:
+    """The code in a column of the table for users of other packages."""
+    section = PAGE.read_text().split("## From other packages")[1]
+    rows = [line.strip("|").split("|") for line in section.splitlines() if line.startswith("|")]
+    assert len(rows) > 12
+    return [span for row in rows[2:] for span in re.findall(r"`([^`]+)`", row[column])]
+
+
+def run(span: str, scope: dict[str, object]) -> None:
+    """Runs a call, a keyword of a move, or the head of a block."""
+    if re.match(r"\w+=", span):
+        span = f"move_to(x, y, z, r, {span})"
+    exec(f"{span}: pass" if span.startswith("with ") else span.replace(", ...", ""), scope)
+
+
+def methods(owner: object) -> dict[str, object]:
+    names = [name for name in dir(type(owner)) if not name.startswith("_")]
+    return {name: getattr(owner, name) for name in names if callable(getattr(type(owner), name))}
+
+
+def test_every_call_of_the_table_for_users_of_other_packages_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    place = {"x": 210, "y": 10, "z": 30, "r": 0, "reach": 205, "angle": 5}
+    with dobot.connect("virtual:firmware-1.1") as arm, pydobotplus.Dobot("virtual:firmware-1.1") as device:
+        for span in spans(0):
+            names = {"Dobot": pydobotplus.Dobot, "MODE_PTP": pydobotplus.MODE_PTP, "port": "virtual:"}
+            run(span, methods(device) | place | names)
+        connect = dobot.connect
+        monkeypatch.setattr(dobot, "connect", lambda where: connect(where.replace("station", "virtual:")))
+        for span in spans(3):
+            run(span, methods(arm) | place | {"dobot": dobot, "arm": arm})

@@ -66,18 +66,18 @@ def test_a_program_for_ever_is_ended_by_its_progress() -> None:
 
 def test_a_check_reports_the_steps_of_a_program_and_their_durations() -> None:
     report = dobot.program(points=POINTS, steps=TO_AND_FRO).check(dialect="firmware-1.1")
-    assert [it.label for it in report.steps] == ["go to here", "go to there"]
+    assert [step.label for step in report.steps] == ["go to here", "go to there"]
     assert not report.problems
     assert report.once_s is not None
     # The steps without the waits for a status.
-    assert report.once_s == pytest.approx(sum(it.takes_s for it in report.steps), abs=1) and report.once_s > 1
+    assert report.once_s == pytest.approx(sum(step.takes_s for step in report.steps), abs=1) and report.once_s > 1
     assert report.total_s == report.once_s and report.cycle_s is None
 
 
 def test_all_problems_are_reported_before_anything_moves() -> None:
     far: dobot.Step = {"go": {"x": 450, "y": 0, "z": 0}}
     program = dobot.program(points=POINTS, steps=[*TO_AND_FRO, far, far])
-    assert [it.step for it in program.check().problems] == [3, 4]
+    assert [problem.step for problem in program.check().problems] == [3, 4]
     with dobot.connect("virtual:") as arm:
         before = arm.next_status()
         assert len(arm.check(program).problems) == 2

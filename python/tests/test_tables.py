@@ -102,7 +102,7 @@ def test_a_file_that_is_not_a_recording_is_an_error(tmp_path: Path) -> None:
 def test_numpy_and_pandas_are_loaded_only_when_asked_for() -> None:
     look = (
         "import sys, dobot_arm as dobot; run = dobot.simulate(text='!end 100'); run.statuses;"
-        "print([it for it in ('numpy', 'pandas', 'asyncio') if it in sys.modules])"
+        "print([name for name in ('numpy', 'pandas', 'asyncio') if name in sys.modules])"
     )
     reported = subprocess.run([sys.executable, "-c", look], capture_output=True, text=True, check=True)
     assert reported.stdout.strip() == "[]"

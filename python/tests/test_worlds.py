@@ -62,7 +62,7 @@ def test_the_position_of_a_carried_object_can_be_asserted(virtual_arm: dobot.Arm
         dobot.assert_object(virtual_arm, "cube", at=(200, 60))
     with pytest.raises(AssertionError, match="there is no object 'ball'; there are cube"):
         dobot.assert_object(virtual_arm, "ball")
-    kinds = [it["event"] for it in virtual_arm.world().events]
+    kinds = [event["event"] for event in virtual_arm.world().events]
     assert "picked_up" in kinds
     assert virtual_arm.world()._repr_svg_().startswith("<svg")
 

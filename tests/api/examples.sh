@@ -26,5 +26,5 @@ for example in "$folder"/*; do
     *.sh) bash -e "$example" </dev/null ;;
     *.python) python3 "$example" </dev/null ;;
     *.js) node --experimental-websocket --input-type=module <"$example" ;;
-  esac >"$folder/told" 2>&1 || { cat "$folder/told" "$example"; exit 1; }
+  esac >"$folder/output" 2>&1 || { cat "$folder/output" "$example"; exit 1; }
 done

@@ -3,7 +3,7 @@
 #
 #   board.sh PROGRAM CHROMIUM
 #
-# PROGRAM is a `dobot` with the feature `fleet`. What happens is told by `page/tests/class.mjs`, which takes Node and the packages of
+# PROGRAM is a `dobot` with the feature `fleet`. `page/tests/class.mjs` says what happens; it needs Node and the packages of
 # `page/`.
 set -euo pipefail
 export DOBOT=$1 CHROMIUM=$2

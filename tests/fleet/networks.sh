@@ -1,8 +1,8 @@
 # Four networks on this machine, for the classes beside it, which source this: one for each of three desks, and one for the router
 # between them. It takes namespaces for networks: as root, or where the system lets a user have some of his own.
 #
-# The desks are at 10.7.1.2, 10.7.2.2 and 10.7.3.2, the router at 10.7.1.1 and so on. What is sourced here begins the script anew
-# inside, in an empty folder that is removed at its end.
+# The desks are at 10.7.1.2, 10.7.2.2 and 10.7.3.2, the router at 10.7.1.1 and so on. Sourcing this starts the script again inside,
+# in an empty folder that is removed at its end.
 
 if [[ $(id -u) != 0 ]]; then
   exec unshare --user --map-root-user --net --mount "$0" "$@"

@@ -41,14 +41,14 @@ with zenoh.open(config) as session:
             time.sleep(0.2)
         print(f"{name} is found with a certificate")
     else:
-        heard: list[str] = []
+        received: list[str] = []
         for key in ("dobot/**", "dobot/*/*/*/reported"):
-            session.declare_subscriber(key, lambda sample: heard.append(str(sample.key_expr)))
-        session.declare_queryable("dobot/**", lambda query: heard.append(str(query.key_expr)))
+            session.declare_subscriber(key, lambda sample: received.append(str(sample.key_expr)))
+        session.declare_queryable("dobot/**", lambda query: received.append(str(query.key_expr)))
         sys.stdin.read()
         peers = list(session.info.peers_zid()) + list(session.info.routers_zid())
         assert not peers, peers
         assert not seen(session)
-        assert not heard, heard
+        assert not received, received
         stop = json.dumps({"method": "POST", "path": "/api/v1/stop"})
         assert not list(session.get("dobot/*/*/*/api", payload=stop, timeout=1.0))

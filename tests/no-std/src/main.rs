@@ -4,7 +4,7 @@
 //! crates, or anything below them, to ask for `std`, there would be two panic handlers; were one to
 //! ask for a heap, there would be no allocator: in both cases it does not link.
 //!
-//! Its exit code tells which part of the check went wrong; 0 is none.
+//! Its exit code is the number of the part that failed; 0 if none did.
 
 #![no_std]
 #![no_main]
@@ -76,7 +76,7 @@ fn trajectory() -> Option<()> {
     (off_mm.abs() < 1e-9).then_some(())
 }
 
-/// A controller goes to a point and tells so.
+/// A controller goes to a point and reports that.
 fn controller() -> Option<()> {
     let mut controller = Controller::power_up(PowerUp::default());
     controller.handle_bytes(Duration::ZERO, &packet().to_bytes());
