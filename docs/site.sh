@@ -40,7 +40,7 @@ summary() {
   local page
   echo "[dobot](README.md)"
   echo
-  for page in $( { sed -n '/^## Read on/,/^## Goals/p' README.md | grep -oE '\]\([A-Za-z/_-]+\.md' | cut -c3- && ls docs/*.md; } |
+  for page in $( { sed -n '/^## Read on/,$p' README.md | grep -oE '\]\([A-Za-z/_-]+\.md' | cut -c3- && ls docs/*.md; } |
     awk '!seen[$0]++' | grep -vE '^(vectors|crates|page)/'); do
     echo "- [$(sed -n '/^# /{s///p;q}' "$page")]($page)"
   done

@@ -51,20 +51,19 @@ debian() {
 }
 
 wheel() {
-  local python tried=0 folder
+  local python version tried='' folder
   for python in python3.{10,11,12,13} "$HOME"/.pyenv/versions/3.1[0-3].*/bin/python; do
-    if ! "$python" -c 'import ensurepip' 2>/dev/null; then
-      continue
-    fi
+    version=$("$python" -c 'import ensurepip, sys; print(sys.version_info[:2])' 2>/dev/null) || continue
+    [[ $tried != *"$version"* ]] || continue
     folder=$(mktemp -d)
     "$python" -m venv "$folder/venv"
     "$folder/venv/bin/pip" install --quiet --no-index --disable-pip-version-check "$PRODUCTS"/dobot_arm-*.whl
     # Neither this project nor another `dobot` is in reach.
-    (cd "$folder" && env -i HOME="$folder" PATH=/usr/bin:/bin venv/bin/python -I - <release/trial/wheel.py)
+    (cd "$folder" && env -i HOME="$folder" PATH=/usr/bin:/bin venv/bin/python -I -) <release/trial/wheel.py
     rm -rf "$folder"
-    tried=$((tried + 1))
+    tried+=$version
   done
-  ((tried > 0)) || fail "there is no Python from 3.10 to 3.13 with venv"
+  [[ -n $tried ]] || fail "there is no Python from 3.10 to 3.13 with venv"
 }
 
 crates() {

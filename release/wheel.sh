@@ -3,30 +3,38 @@
 #
 #   release/wheel.sh [TARGET]
 #
-# The wheel contains the program `dobot`, which guards an arm at a serial port.
+# The wheel contains the program `dobot`, which guards an arm at a serial port. The module uses what the archive's build has
+# compiled, and is linked so that it becomes small.
 source "$(dirname "${BASH_SOURCE[0]}")/settings.sh"
 tools
 
 main() {
   local scripts=python/dobot_arm._core.data/scripts wheel
-  local -a for_linux=()
   trap 'rm -rf python/dobot_arm._core.data python/LICENSES-OF-OTHERS.txt' EXIT
   mkdir -p "$PRODUCTS"
   cp "$STAGE/LICENSES-OF-OTHERS.txt" python
   trim_paths
   if [[ $TARGET == x86_64-unknown-linux-gnu ]]; then
-    (cd python && maturin sdist --quiet --out "$PRODUCTS")
+    (cd python && maturin sdist --out "$PRODUCTS")
   fi
   mkdir -p "$scripts"
-  [[ $TARGET != *linux-gnu* ]] || for_linux=(--zig --compatibility "manylinux_${GLIBC/./_}")
   cp "$PROGRAMS/dobot$EXE" "$scripts"
-  (cd python && maturin build --profile wheel --locked --target "$TARGET" --out "$PRODUCTS" \
-    --compression-level 9 ${for_linux[@]+"${for_linux[@]}"})
+  module
   for wheel in "$PRODUCTS"/*.whl; do
     python - "$wheel" "$BUILD/stage/module" <<<"$SIZE_WITHOUT_PROGRAM"
     at_most "$BUILD/stage/module" 8000000
     at_most "$wheel" 25000000
   done
+}
+
+module() {
+  local -a for_linux=()
+  if [[ $TARGET == *linux-gnu* ]]; then
+    for_linux=(--compatibility "manylinux_${GLIBC/./_}")
+    export GLIBC CARGO=$PWD/release/cargo-zig.sh
+  fi
+  (cd python && maturin build --profile dist --locked --target "$TARGET" --out "$PRODUCTS" \
+    --compression-level 9 ${for_linux[@]+"${for_linux[@]}"} -- -C lto=fat)
 }
 
 # A file as large as the wheel is without the program.

@@ -16,6 +16,7 @@ main() {
   step "install" chroot "$ROOT" dpkg --install /dobot.deb
   step "the program, its manual and its rule are there" present
   step "doctor" user 'dobot doctor || true'
+  step "a port without permission names the command that gives it" permission
   user 'exec dobot up --virtual --no-open' >"$ROOT/up.log" 2>&1 &
   step "dobot starts and says where the page is" eventually grep -q "page *$URL" "$ROOT/up.log"
   (($(wc -l <"$ROOT/up.log") <= 10)) || fail "its first words have more than ten lines: $(cat "$ROOT/up.log")"
@@ -59,6 +60,15 @@ present() {
   chroot "$ROOT" grep -q uaccess /usr/lib/udev/rules.d/60-dobot.rules
   chroot "$ROOT" grep -q 'ExecStart=/usr/bin/dobot up' /usr/lib/systemd/system/dobot.service
   user 'dobot --version && dobot-ros2 --version'
+}
+
+permission() {
+  local said
+  mknod --mode 660 "$ROOT/dev/ttyUSB0" c 188 0
+  chroot "$ROOT" chgrp dialout /dev/ttyUSB0
+  said=$(user 'dobot status --to serial:/dev/ttyUSB0' 2>&1) && return 1
+  rm "$ROOT/dev/ttyUSB0"
+  grep -F 'sudo usermod -aG dialout $USER' <<<"$said"
 }
 
 page() {

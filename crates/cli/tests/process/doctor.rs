@@ -59,7 +59,7 @@ fn a_station_refuses_the_data_of_a_newer_program() {
 }
 
 #[test]
-fn a_running_station_is_reported_with_its_dialect() {
+fn a_running_station_is_reported_with_its_dialect_and_version() {
     let up = Up::new(&[]);
     let outcome = up.dobot(&["doctor"]);
     assert!(
@@ -68,4 +68,6 @@ fn a_running_station_is_reported_with_its_dialect() {
             .contains("running; virtual, dialect specification"),
         "{outcome:?}"
     );
+    let same = concat!("station and program are ", env!("CARGO_PKG_VERSION"));
+    assert!(outcome.stdout.contains(same), "{outcome:?}");
 }

@@ -1,5 +1,6 @@
 //! The data of earlier versions: `samples/VERSION` is the data folder of a station of that version with two jobs, of which one was
-//! paused in the middle, a stop, a policy, a calibrated arm, tokens and a recording, and a taught program beside them.
+//! paused in the middle, a stop, a policy, a calibrated arm, tokens, hooks, a button, a stored file, drawing defaults and a
+//! recording, and a taught program beside them.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -59,6 +60,13 @@ fn a_station_continues_with_the_data_of_earlier_versions() {
             recordings.contains("dobot-2026-11-30T05-43-25Z.mcap"),
             "{version}: {recordings}"
         );
+        let stored = up.dobot(&["files", "get", "corner.svg", "--out", "-"]);
+        assert!(
+            stored.succeeds().stdout.contains("M0 0H20V10"),
+            "{version}: the file is as it was stored"
+        );
+        let buttons = Api::new(&up.page).asks("GET", "buttons", &serde_json::Value::Null);
+        assert_eq!(buttons[0]["name"], "Lift", "{version}: {buttons}");
         up.dobot(&["stop", "--reset"]).succeeds();
         up.dobot(&["move", "220", "0", "-100"])
             .fails(1, &["table allows -50"]);
@@ -72,6 +80,8 @@ fn files_of_earlier_versions_are_read_without_a_station() {
         let file = |name: &str| folder.path().join(name).display().to_string();
         dobot(&["policy", "check", &file("policy.toml")]).succeeds();
         dobot(&["check", &file("taught.toml")]).succeeds();
+        let defaults = ["--defaults", &file("draw.toml")];
+        dobot(&[&["draw", "--text", "Hi", "--dry-run"], &defaults[..]].concat()).succeeds();
         let recording = file("recordings/dobot-2026-11-30T05-43-25Z.mcap");
         let moved = dobot(&["log", &recording]).succeeds().stdout;
         assert!(moved.lines().count() > 33, "{version}: {moved}");

@@ -4,8 +4,8 @@ use std::fs;
 use std::net::{SocketAddr, TcpListener};
 use std::path::Path;
 
-use dobot_api::{Folders, LinkPhase, State, running};
-use dobot_host::{DataFormat, StationClient, is_chip_of_arms};
+use dobot_api::{Folders, LinkPhase, Remote, State, StationAddress, StationEvent, running};
+use dobot_host::{DataFormat, is_chip_of_arms};
 use dobot_record::recordings;
 use dobot_session::{Port, Usb};
 use dobot_station::{DEFAULT_HTTP, DEFAULT_RAW, Tokens};
@@ -28,7 +28,7 @@ pub(super) async fn all(folders: &Folders) -> Vec<Finding> {
     found.push(disk(folders));
     #[cfg(target_os = "linux")]
     found.push(browser());
-    found.push(station(folders).await);
+    found.extend(station(folders).await);
     found.push(recorded(folders));
     found.push(certificate(&folders.tls()));
     found.push(tokens(folders));
@@ -171,27 +171,51 @@ fn browser() -> Finding {
     }
 }
 
-async fn station(folders: &Folders) -> Finding {
+/// The running station, or whether one could be started.
+async fn station(folders: &Folders) -> Vec<Finding> {
     let address = match running(folders) {
         Ok(Some(address)) => address,
-        Ok(None) => return free_addresses(),
+        Ok(None) => return vec![free_addresses()],
         Err(error) => {
-            return Finding::bad("station", error.to_string(), "remove that file");
+            return vec![Finding::bad(
+                "station",
+                error.to_string(),
+                "remove that file",
+            )];
         }
     };
-    let silent = |error: String| {
-        Finding::bad(
+    match greeting(&address).await {
+        Ok((version, state)) => vec![link(&state), versions(&version)],
+        Err(error) => vec![Finding::bad(
             "station",
             format!("it was started and does not respond: {error}"),
             "start it again: `dobot`",
+        )],
+    }
+}
+
+/// The version of a running station and its state.
+async fn greeting(address: &StationAddress) -> anyhow::Result<(String, State)> {
+    let mut station = Remote::connect(address, &client_name("doctor")).await?;
+    let version = station.hello().version.clone();
+    loop {
+        if let StationEvent::State(state) = station.next().await? {
+            return Ok((version, *state));
+        }
+    }
+}
+
+/// A station that was started before an update still runs the old program.
+fn versions(station: &str) -> Finding {
+    let program = env!("CARGO_PKG_VERSION");
+    if station == program {
+        Finding::ok("versions", format!("station and program are {program}"))
+    } else {
+        Finding::bad(
+            "versions",
+            format!("the station is {station}, this program {program}"),
+            "end the station when the arm is at rest, and start it again: `dobot`",
         )
-    };
-    match StationClient::connect(&address, &client_name("doctor")).await {
-        Ok(mut client) => match client.state().await {
-            Ok(state) => link(&state),
-            Err(error) => silent(error.to_string()),
-        },
-        Err(error) => silent(error.to_string()),
     }
 }
 
@@ -356,6 +380,14 @@ mod tests {
         assert_eq!(start.health, Health::Bad);
         let later = "2027-02-03T04:05:06.7Z".parse().expect("it is a time");
         assert_eq!(clock(later), Finding::ok("clock", "2027-02-03T04:05:06Z"));
+    }
+
+    #[test]
+    fn a_station_of_another_version_has_to_be_started_again() {
+        assert_eq!(versions(env!("CARGO_PKG_VERSION")).health, Health::Ok);
+        let found = versions("0.0.9");
+        assert_eq!(found.health, Health::Bad);
+        assert!(found.text.contains("0.0.9"), "{}", found.text);
     }
 
     #[test]
