@@ -67,7 +67,7 @@ export const en = {
   "camera.top": "Top",
   "camera.side": "Side",
   "camera.tool": "Tool",
-  "camera.flattened": "Flat view: drawing in 3-D interrupted a held button twice. Reload the page for 3-D.",
+  "camera.flattened": "Flat view: drawing in 3-D is too slow here to hold a button. Reload the page for 3-D.",
   "pose": "Arm pose",
   "pose.moving": "moving",
   "pose.at_rest": "at rest",
