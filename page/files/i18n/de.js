@@ -992,6 +992,7 @@ export const de = {
   "wizard.layers": "Lagen",
   "wizard.layer_mm": "Abstand der Lagen",
   "wizard.add": "Ins Programm einfügen",
+  "wizard.empty": "Das Programm ist leer: Erfasse zuerst eine Position oder füge eine Palette ein.",
   "wizard.point.hint": "Gibt es den Namen schon, wird sein Punkt neu erfasst, für alle Schritte, die ihn verwenden.",
   "wizard.tray.hint": "Fahre zu jeder Ecke und drücke ihren Knopf. Das Programm fährt eine neue Palette Zelle für Zelle an; eine vorhandene wird neu erfasst. Der Abstand der Lagen ist nach oben positiv; negativ, wenn die erste Lage oben auf einem Stapel liegt.",
   "wizard.frame.hint": "Wird ein Koordinatensystem neu erfasst, bewegen sich seine Punkte mit.",

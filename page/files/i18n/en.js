@@ -565,6 +565,7 @@ export const en = {
   "wizard.layers": "Layers",
   "wizard.layer_mm": "Layer distance",
   "wizard.add": "Insert into the program",
+  "wizard.empty": "The program is empty: capture a position or insert a tray first.",
   "wizard.point.hint": "If the name exists, its point is taught again, for all steps that use it.",
   "wizard.tray.hint": "Jog to each corner and press its button. The program visits a new tray cell by cell; an existing tray is taught again. The layer distance is positive upwards, and negative from the top of a stack down.",
   "wizard.frame.hint": "When a frame is taught again, its points move with it.",

@@ -566,6 +566,7 @@ export const zh = {
   "wizard.layers": "层",
   "wizard.layer_mm": "层间距",
   "wizard.add": "加入程序",
+  "wizard.empty": "程序为空：请先记录一个位置，或加入托盘。",
   "wizard.point.hint": "如名称已存在，则重新示教该点，对所有使用它的步骤生效。",
   "wizard.tray.hint": "将机械臂点动到每个角并按下对应按钮。新托盘会逐格遍历；已有托盘会被重新示教。层间距向上为正，从堆顶向下为负。",
   "wizard.frame.hint": "坐标系重新示教后，其中的点随之移动。",
