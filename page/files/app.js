@@ -18,7 +18,7 @@ import { keepFocus } from "./parts/keep_focus.js";
 import { isDarkTheme, savePreferences, readPreferences } from "./parts/preferences.js";
 import { createStage } from "./stage/stage.js";
 import { recorded } from "./state/recordings.js";
-import { rendersSame } from "./state/equality.js";
+import { onlyMoved, rendersSame } from "./state/equality.js";
 import { createViewOf, isVeryOld, silence_ms, taughtPlace } from "./state/selectors.js";
 import { begin } from "./state/state.js";
 import { createStore } from "./state/store.js";
@@ -117,15 +117,18 @@ function draw() {
   waits = undefined;
   budget.begin();
   const { page } = store;
-  drawn = page;
   const t = translator(page.language);
-  document.documentElement.lang = page.language;
-  document.documentElement.dataset.theme = isDark(page) ? "dark" : "light";
   /** @type {Context} */
   const context = { page, t, act, jog, pads, connect: socket.connect, look: (preset) => stage.look(preset) };
+  // While a button is held, the page has time for the numbers only.
+  const numbersOnly = drawn !== null && page.jog.held !== null && onlyMoved(drawn, page);
+  drawn = page;
+  drawStage(page, t);
+  if (numbersOnly) return void render(pose(context), part("numbers"));
+  document.documentElement.lang = page.language;
+  document.documentElement.dataset.theme = isDark(page) ? "dark" : "light";
   keepFocus(() => renderAll(context));
   point(page);
-  drawStage(page, t);
 }
 
 /** @param {Context} context */

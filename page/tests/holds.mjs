@@ -78,7 +78,7 @@ for (const webgl of [true, false]) {
     const count = Object.values(reasons).reduce((sum, n) => sum + n, 0);
     const silences = Object.values(await page.evaluate(() => window.silences)).sort((a, b) => a - b);
     const shown = await page.getAttribute("#stage", "data-shown");
-    console.log(`${webgl ? "3-D" : "flat"}, ${rate} times as slow: ${count} of ${HOLDS} holds of ${HOLD_MS / 1000} s interrupted ${JSON.stringify(reasons)}; ${webgl && shown === "2d" ? "became flat; " : ""}load ${before} to ${load()}`);
+    console.log(`${webgl ? "3-D" : "flat"}, ${rate} times as slow: ${count} of ${HOLDS} holds of ${HOLD_MS / 1000} s interrupted ${JSON.stringify(reasons)}; ${webgl && shown === "2d" ? "became flat; " : ""}page's thread silent for at most ${silences[Math.floor(silences.length / 2)].toFixed(0)} ms (median), ${silences.at(-1).toFixed(0)} ms (worst); load ${before} to ${load()}`);
     if (rate === 1 && !webgl) {
       const took = await hang(bench);
       console.log(`a page that hangs releases its button after ${took[Math.floor(took.length / 2)]} ms (median), ${took.at(-1)} ms (most of ${took.length})`);
