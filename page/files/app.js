@@ -18,7 +18,7 @@ import { keepFocus } from "./parts/keep_focus.js";
 import { isDarkTheme, savePreferences, readPreferences } from "./parts/preferences.js";
 import { createStage } from "./stage/stage.js";
 import { recorded } from "./state/recordings.js";
-import { rendersSame } from "./state/equality.js";
+import { onlyMoved, rendersSame } from "./state/equality.js";
 import { createViewOf, isVeryOld, silence_ms, taughtPlace } from "./state/selectors.js";
 import { begin } from "./state/state.js";
 import { createStore } from "./state/store.js";
@@ -56,7 +56,7 @@ import { languageOf, loadLanguage, formatDuration, translator } from "./i18n/i18
 const TICK_MS = 250;
 const KEEP_MS = 300;
 const MESSAGE_MS = 12_000;
-/** Interruptions of a held button after which the stage becomes flat. */
+/** Slow frames or interruptions of a held button after which the stage becomes flat. */
 const MOST_LATE = 2;
 /** Storage key of the program being taught. */
 const PROGRAM = "dobot.program";
@@ -93,15 +93,19 @@ let frame = 0;
 const budget = createFrameBudget();
 /** @type {number | undefined} */ let waits;
 
-/** Draws with the next frame; while a button is held, drawing waits until there was time for input. */
-function changed() {
-  if (frame || waits) return;
-  const wait_ms = store.page.jog.held === null ? 0 : budget.wait_ms();
-  if (wait_ms === 0) frame = requestAnimationFrame(draw);
-  else waits = setTimeout(() => {
-    waits = undefined;
-    changed();
-  }, wait_ms);
+/** Draws with the next frame. A report of the arm waits until there was time for input, and so does everything while a button is held. */
+function changed(isReport = false) {
+  if (frame) return;
+  const wait_ms = isReport || store.page.jog.held !== null ? budget.wait_ms() : 0;
+  if (wait_ms > 0) {
+    waits ??= setTimeout(() => {
+      waits = undefined;
+      changed(true);
+    }, wait_ms);
+    return;
+  }
+  clearTimeout(waits);
+  frame = requestAnimationFrame(draw);
 }
 
 // Read only on a change: reading `matches` between frames makes Chromium swallow the event.
@@ -110,17 +114,21 @@ const isDark = (/** @type {Page} */ { theme }) => isDarkTheme(theme, isSystemDar
 
 function draw() {
   frame = 0;
+  waits = undefined;
   budget.begin();
   const { page } = store;
-  drawn = page;
   const t = translator(page.language);
-  document.documentElement.lang = page.language;
-  document.documentElement.dataset.theme = isDark(page) ? "dark" : "light";
   /** @type {Context} */
   const context = { page, t, act, jog, pads, connect: socket.connect, look: (preset) => stage.look(preset) };
+  // While a button is held, the page has time for the numbers only.
+  const numbersOnly = drawn !== null && page.jog.held !== null && onlyMoved(drawn, page);
+  drawn = page;
+  drawStage(page, t);
+  if (numbersOnly) return void render(pose(context), part("numbers"));
+  document.documentElement.lang = page.language;
+  document.documentElement.dataset.theme = isDark(page) ? "dark" : "light";
   keepFocus(() => renderAll(context));
   point(page);
-  drawStage(page, t);
 }
 
 /** @param {Context} context */
@@ -186,13 +194,12 @@ function hideMessage() {
 let kept = store.page.teach.text;
 /** @type {number | undefined} */ let keeping;
 
-/** How often a hold ended because the page did not say in time that it lasts. */
+/** How often a frame was slow while a button was held, or a hold ended because the page did not say in time that it lasts. */
 let late = 0;
 
-/** Rendering must not end a hold: it slows down while a button is held, and becomes flat after two interruptions. @param {import("./state/message.js").Message} message */
-function unburden(message) {
-  if (message.type === "jog_held") stage.hold(message.axis !== null);
-  if (message.type !== "jog_refused" || !message.problem.type?.endsWith("/let-go") || part("stage").dataset.shown !== "3d") return;
+/** Rendering must not end a hold: it slows down while a button is held, and becomes flat when that is not enough. */
+function countLate() {
+  if (part("stage").dataset.shown !== "3d") return;
   late += 1;
   if (late < MOST_LATE) return;
   stage.flatten();
@@ -200,10 +207,11 @@ function unburden(message) {
 }
 
 store.subscribe((page, message) => {
-  unburden(message);
+  if (message.type === "jog_held") stage.hold(message.axis !== null);
+  if (message.type === "jog_refused" && message.problem.type?.endsWith("/let-go")) countLate();
   // The stage needs the report of an arm at rest; the rest of the page does not change.
   if (message.type === "state" && drawn && rendersSame(drawn, page)) drawStage(page, translator(page.language));
-  else changed();
+  else changed(message.type === "state");
   if (message.type === "problem") {
     clearTimeout(hideTimer);
     hideTimer = setTimeout(hideMessage, MESSAGE_MS);
@@ -218,6 +226,7 @@ store.subscribe((page, message) => {
     savePreferences({ language, theme, greeted });
   }
 });
+part("stage").addEventListener("slow", countLate);
 part("stage").addEventListener("target", (event) => {
   const { x_mm, y_mm, z_mm, rotation_deg, phase } = /** @type {CustomEvent<import("./stage/view.js").Target>} */ (event).detail;
   const place = { x_mm, y_mm, z_mm, rotation_deg };
@@ -228,7 +237,7 @@ dark.addEventListener("change", ({ matches }) => {
   changed();
 });
 // A field shows the current value after it loses focus.
-document.addEventListener("focusout", changed);
+document.addEventListener("focusout", () => changed());
 setInterval(() => {
   // A clock that ticks for nothing draws nothing.
   if (silence_ms({ ...store.page, now_ms: Date.now() }) > 0 || silence_ms(store.page) > 0) store.send({ type: "tick", now_ms: Date.now() });

@@ -165,6 +165,8 @@ export async function open({ viewport = { width: 1130, height: 640 }, webgl = fa
     /** Lets nothing pass any more between browser and station, without an end of any connection; `mend` lets it pass. */
     cut: front.way.cut,
     mend: front.way.mend,
+    /** Ends the arm, as if its cable was pulled out. */
+    unplug: () => end(arm.child, "SIGKILL"),
     /** Kills the station, and begins another one with its data. */
     async restart(signal = "SIGKILL") {
       await end(child, signal);

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile, readdir } from "node:fs/promises";
 import { after, afterEach, before, test } from "node:test";
-import { open, passed, rest, takeControl } from "./bench.mjs";
+import { open, passed, rest, takeControl, waitForAnswer } from "./bench.mjs";
 
 let bench, page, traffic;
 /** What the browser refused: the page's security policy must allow all that the blocks do. */
@@ -36,8 +36,8 @@ async function type(program) {
 }
 
 /** The corner of a block whose rows say this, where it can be taken; with `n`, of another one. */
-const blockOf = (words, canvas = CANVAS, n = 0) =>
-  page.waitForFunction(([words, canvas, n]) => {
+const blockOf = (words, canvas = CANVAS, n = 0, on = page) =>
+  on.waitForFunction(([words, canvas, n]) => {
     const own = (block) => [...block.querySelectorAll("text")].filter((it) => it.closest("[data-id]") === block).map((it) => it.textContent.replaceAll("\u00a0", " ").trim()).join(" ");
     const block = [...document.querySelectorAll(`${canvas} [data-id]`)].filter((it) => own(it).startsWith(words))[n];
     const path = block?.querySelector(":scope > .blocklyPath")?.getBoundingClientRect();
@@ -158,5 +158,101 @@ test("every example program opens as blocks and stays the same text", async () =
     }, program);
     assert.ok(same, name);
     await page.waitForFunction((program) => localStorage.getItem("dobot.program") === program, program);
+  }
+});
+
+/** Presses a key until what has the focus is announced with these words. */
+async function keyTo(key, words) {
+  const announced = () => page.evaluate(() => document.activeElement?.getAttribute("aria-label") ?? "");
+  for (let n = 0; n < 30 && !(await announced()).includes(words); n += 1) await page.keyboard.press(key);
+  assert.ok((await announced()).includes(words), await announced());
+}
+
+test("with the keyboard alone a block is moved, its field is typed, and it is removed", async () => {
+  await type('[[steps]]\ngo = { x = 210, y = 0, z = 40 }\n\n[[steps]]\nspeed = { percent = 20 }\n');
+  for (let n = 0; n < 40 && !(await page.evaluate(() => document.activeElement?.closest(".blocks-host"))); n += 1) await page.keyboard.press("Tab");
+  await page.keyboard.press("w");
+  await keyTo("ArrowDown", "speed %");
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Enter");
+  await page.waitForSelector(".blocklyHtmlInput");
+  await page.keyboard.press("Control+A");
+  await page.keyboard.press("3");
+  // The text follows each key, and gets a title; the field stays open.
+  await waitForText('title = ');
+  await page.keyboard.press("5");
+  await page.keyboard.press("Enter");
+  await waitForText("percent = 35");
+  await keyTo("ArrowUp", "speed %");
+  await page.keyboard.press("m");
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => { const it = localStorage.getItem("dobot.program"); return it.indexOf("speed =") < it.indexOf("go ="); });
+  await page.keyboard.press("Delete");
+  await page.waitForFunction(() => !localStorage.getItem("dobot.program").includes("speed"));
+  assert.equal(await page.isVisible("#stopped"), false);
+});
+
+test("the buttons below act on the selected block: it gets the place of the arm, and is removed", async () => {
+  await type('title = "two"\n[[steps]]\ngo = { x = 210, y = 0, z = 40 }\n\n[[steps]]\nspeed = { percent = 20 }\n');
+  const arm = (await bench.ask("api/v1/state")).arm;
+  const go = await blockOf("go to");
+  await page.mouse.click(go.x + 6, go.y + 10);
+  await page.click("#blocks-here");
+  await page.waitForFunction((z) => Math.abs(Number(/z = ([-\d.]+)/.exec(localStorage.getItem("dobot.program"))?.[1]) - z) < 0.011, arm.z_mm);
+  const speed = await blockOf("speed");
+  await page.mouse.click(speed.x + 6, speed.y + 10);
+  await page.click("#blocks-remove");
+  await page.waitForFunction(() => !localStorage.getItem("dobot.program").includes("speed"));
+});
+
+test("a finger drags a block to another place, types into a field, and removes a block with a button", async () => {
+  const phone = await bench.visit({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const includes = (isSo, argument) => phone.waitForFunction(isSo, argument);
+  await phone.tap("#tab-teach");
+  await phone.setInputFiles("#teach-file", { name: "two.toml", mimeType: "text/plain", buffer: Buffer.from('title = "two"\n\n[[steps]]\ngo = { x = 210, y = 0, z = 40 }\n\n[[steps]]\nspeed = { percent = 20 }\n') });
+  await phone.tap("[name=teach-mode][value=blocks]");
+  await phone.waitForSelector(`${CANVAS} > [data-id]`);
+  await phone.locator(".blocks-host").evaluate((it) => it.scrollIntoView({ block: "center" }));
+  const cdp = await phone.context().newCDPSession(phone);
+  const touch = (type, ...points) => cdp.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
+  const [go, speed] = [await blockOf("go to", CANVAS, 0, phone), await blockOf("speed", CANVAS, 0, phone)];
+  const from = [speed.x + 6, speed.y + 10], to = [go.x + 10, go.y + 8];
+  await touch("touchStart", from);
+  for (const share of [0.2, 0.4, 0.6, 0.8, 1]) await touch("touchMove", [from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])]);
+  await touch("touchEnd");
+  await includes(() => { const it = localStorage.getItem("dobot.program"); return it.indexOf("speed =") < it.indexOf("go ="); });
+  const field = await phone.locator(`${CANVAS} [data-id] .blocklyEditableField`, { hasText: "20" }).last().boundingBox();
+  await phone.touchscreen.tap(field.x + field.width / 2, field.y + field.height / 2);
+  await phone.waitForSelector(".blocklyHtmlInput");
+  await phone.keyboard.press("Control+A");
+  await phone.keyboard.type("45");
+  await phone.keyboard.press("Enter");
+  await includes(() => localStorage.getItem("dobot.program").includes("percent = 45"));
+  const again = await blockOf("speed", CANVAS, 0, phone);
+  await phone.touchscreen.tap(again.x + 6, again.y + 10);
+  await phone.tap("#blocks-remove");
+  await includes(() => !localStorage.getItem("dobot.program").includes("speed"));
+  await phone.context().close();
+});
+
+/** What the vendor's files say: base, rear arm, forearm and servo of each point, in degrees. */
+const VENDOR = {
+  "PlayBackPoints.xml": [[0, 30, 20, 0], [25.3125, 48.7, 52.25, -25.3], [-31.8, 36.686, 48.769, 31.8], [-10, 40, 30, 0]],
+  "program.play": [[0, 45, 45, 0], [31.8, 36.686, 18.769, 0], [-20.5, 40.25, 30.125, 0], [0, 45, 45, 0]],
+};
+
+test("the vendor's programs open as blocks, and the arm goes to their angles", async () => {
+  const folder = new URL("../../crates/teach/tests/data/", import.meta.url);
+  for (const [name, angles] of Object.entries(VENDOR)) {
+    await page.setInputFiles("#teach-file", { name, mimeType: "text/plain", buffer: await readFile(new URL(name, folder)) });
+    await blockOf("go to", CANVAS, angles.length - 1);
+    await page.waitForSelector("#teach-once:enabled");
+    const from = traffic.packets.length;
+    await page.click("#teach-once");
+    await waitForAnswer(page, "api/v1/state", ({ job }) => job?.phase === "running");
+    await waitForAnswer(page, "api/v1/state", ({ job, arm }) => !job && !arm.moving);
+const sent = traffic.packets.slice(from).filter(({ floats: [state] }) => state === 6).map(({ floats }) => floats.slice(2, 6).map((deg) => Number(deg.toFixed(4))));
+    assert.deepEqual(sent, angles);
   }
 });

@@ -132,5 +132,6 @@ test("nine points of a calibration are recorded with at most 23 clicks, which le
   }
   await page.waitForFunction(() => document.querySelectorAll("#calibrate-touches dt").length === 9);
   t.diagnostic(`clicks: calibrate by nine points, with Review and Save: ${clicks + 2}`);
+  assert.match(await page.textContent("#calibrate-point"), /^All points are recorded/);
   assert.ok(clicks <= 23, `${clicks} clicks`);
 });

@@ -1,13 +1,9 @@
-// Prints what the page costs and how many clicks the main tasks take, as Markdown tables. `npm run costs --prefix page`; HOLDS is
-// how many holds of 1.5 s are counted for each row.
+// Prints what the page costs and how many clicks the main tasks take, as Markdown tables. `npm run costs --prefix page`.
 import { execFile } from "node:child_process";
 import { promisify } from "node:util";
-import { moved, open, passed, press, rest, takeControl } from "./bench.mjs";
+import { moved, open, press, rest, takeControl } from "./bench.mjs";
 
-const HOLDS = Number(process.env.HOLDS ?? 8);
-const HOLD_MS = 1500, IDLE_MS = 5000;
-/** How many times as slow as this computer the page's thread is made. */
-const THROTTLES = [1, 4, 6];
+const IDLE_MS = 5000;
 
 /** Share of a core that the page's thread uses while something happens. */
 async function share(session, action) {
@@ -15,22 +11,6 @@ async function share(session, action) {
   const [began, from] = [performance.now(), await busy()];
   await action();
   return (100 * (await busy() - from)) / ((performance.now() - began) / 1000);
-}
-
-/** Holds a button as often as wished; returns how many holds ended before they were released. */
-async function interrupted(page, setDeadMan) {
-  await setDeadMan();
-  let ended = 0;
-  for (let hold = 0; hold < HOLDS; hold += 1) {
-    await rest(page);
-    await passed(page, 0.4);
-    await press(page, hold % 2 ? "y_minus" : "y_plus");
-    await page.waitForTimeout(HOLD_MS);
-    ended += Number(await page.evaluate(() => document.querySelector("#jog-why").dataset.tone === "bad"));
-    await page.mouse.up();
-  }
-  await setDeadMan(1);
-  return ended;
 }
 
 async function measure(webgl) {
@@ -53,16 +33,11 @@ async function measure(webgl) {
     await moved(page, "y_mm", 30);
     await page.mouse.up();
   });
-  const holds = [];
-  for (const rate of THROTTLES) {
-    await session.send("Emulation.setCPUThrottlingRate", { rate });
-    holds.push(`${await interrupted(page, bench.setDeadMan)} of ${HOLDS}`);
-  }
   await bench.end();
-  return [`${(loaded.ms / 1000).toFixed(1)} s, longest task ${loaded.longest_ms.toFixed(0)} ms`, `${loaded.files}, ${(loaded.bytes / 1e6).toFixed(2)} MB`, `${idle.toFixed(0)} %`, `${jogging.toFixed(0)} %`, ...holds];
+  return [`${(loaded.ms / 1000).toFixed(1)} s, longest task ${loaded.longest_ms.toFixed(0)} ms`, `${loaded.files}, ${(loaded.bytes / 1e6).toFixed(2)} MB`, `${idle.toFixed(0)} %`, `${jogging.toFixed(0)} %`];
 }
 
-const ROWS = ["first load", "files of a first load", "idle, of a core", "jogging, of a core", ...THROTTLES.map((rate) => `holds of 1.5 s interrupted, x${rate} slower`)];
+const ROWS = ["first load", "files of a first load", "idle, of a core", "jogging, of a core"];
 const [solid, flat] = [await measure(true), await measure(false)];
 console.log("| | 3-D on the CPU | two flat views |\n|---|---|---|");
 for (const [n, row] of ROWS.entries()) console.log(`| ${row} | ${solid[n]} | ${flat[n]} |`);

@@ -102,6 +102,31 @@ test("a window that loses the focus and a hidden tab release the button", async 
   assert.deepEqual(toldOfButtons(), [AXES.x_plus, RELEASED]);
 });
 
+test("a page that is hidden, navigates away or is closed releases its button at once, without waiting for the dead-man time", async () => {
+  const ways = {
+    // No page of a browser without a screen is ever hidden, so that it has to be told.
+    hidden: (it) => it.evaluate(() => document.dispatchEvent(new Event("visibilitychange"))),
+    "another address": (it) => it.goto("about:blank"),
+    closed: (it) => it.close(),
+  };
+  for (const [name, leave] of Object.entries(ways)) {
+    if (await page.isVisible("#release")) await page.click("#release");
+    await page.waitForSelector("#take");
+    const other = await bench.visit();
+    await other.click("#take");
+    await other.waitForSelector("[data-axis=y_plus]:enabled");
+    await press(other, "y_plus");
+    await moved(other, "y_mm", 3);
+    const [left, before] = [performance.now(), traffic.packets.length];
+    await leave(other);
+    const { at } = await traffic.next(before, ({ floats: [state, axis] }) => state === 7 && axis === 0);
+    assert.ok(at - left < 900, `${name}: ${at - left} ms, and the dead-man time is 1 s`);
+    await other.context().close();
+  }
+  await page.click("#take");
+  await page.waitForSelector("[data-axis=y_plus]:enabled");
+});
+
 test("an unrelated error does not move the layout under the pointer", async () => {
   // So tall that nothing has to be scrolled.
   await page.setViewportSize({ width: 1130, height: 1800 });

@@ -19,7 +19,9 @@ export async function start(words, line, within = []) {
   throw new Error(`dobot ${words.join(" ")} ended without ${line}`);
 }
 
+/** Ends it, unless it has ended. */
 export async function end(child, signal) {
+  if (child.exitCode !== null || child.signalCode !== null) return;
   const over = once(child, "exit");
   child.kill(signal);
   await over;

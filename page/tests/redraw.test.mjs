@@ -89,8 +89,10 @@ test("a moving arm is drawn, at most 60 times per second on a faster screen", as
   const fast = await bench.visit({ viewport: SIZE }, [quicken, countDraws]);
   await fast.waitForSelector("#stage[data-shown='3d']");
   await fast.evaluate(() => window.draws.splice(0));
-  await go(60);
-  await fast.waitForFunction(() => document.querySelector("[data-pose=y_mm]").textContent === "60.0", undefined, { polling: 20 });
+  for (const y_mm of [60, -60, 60]) {
+    await go(y_mm);
+    await fast.waitForFunction((text) => document.querySelector("[data-pose=y_mm]").textContent === text, y_mm.toFixed(1), { polling: 20 });
+  }
   const times = await draws(fast);
   assert.ok(times.length > 2, `${times.length} frames`);
   // Each second that begins with a frame.

@@ -3,8 +3,8 @@ import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
 import { moved, open, passed, press, rest, takeControl } from "./bench.mjs";
 
-/** How long each frame takes. */
-const FRAME_MS = 80;
+/** How long each frame takes; and one that could release a button if another delay were added to it. */
+const FRAME_MS = 40, SLOW_FRAME_MS = 220;
 
 let bench, page, traffic;
 
@@ -33,21 +33,27 @@ function slowDown() {
   };
 }
 
+/** Waits until the stage is flat, with the reason. */
+async function isFlat() {
+  await page.waitForSelector("#stage[data-shown='2d']");
+  assert.match(await page.textContent("#flattened"), /Flat view/);
+}
+
 test("without a graphics card the page shows a copy of each frame, and waits for none", async () => {
   assert.ok(await page.evaluate(() => document.querySelector("#stage canvas").getContext("webgl2") === null && window.frames.length > 0));
 });
 
-test("while a button is held, each slow frame is followed by more time for input than it took", async () => {
+test("while a button is held, each slow frame is followed by four times as long for input", async () => {
   await rest(page);
   await page.evaluate((ms) => { window.slow_ms = ms; window.frames.length = 0; }, FRAME_MS);
   const from = traffic.packets.length;
   await press(page, "y_plus");
-  await moved(page, "y_mm", 20);
+  await page.waitForFunction(() => window.frames.length > 3);
   await page.evaluate(() => { window.held = window.frames.slice(1); });
   await page.mouse.up();
   const held = await page.evaluate(() => window.held);
   assert.ok(held.length > 1, `${held.length} frames`);
-  for (const [n, at] of held.slice(1).entries()) assert.ok(at - held[n] >= 4 * FRAME_MS - 1, `${at - held[n]} ms between two frames`);
+  for (const [n, at] of held.slice(1).entries()) assert.ok(at - held[n] >= 5 * FRAME_MS - 1, `${at - held[n]} ms between two frames`);
   await page.evaluate(() => { window.slow_ms = 0; });
   await rest(page);
   assert.deepEqual(new Set(traffic.jogs(from).map((it) => it.text)), new Set(["linear 3", "linear 0"]));
@@ -65,6 +71,20 @@ test("after two interrupted holds the stage is flat, and says why", async () => 
     await page.waitForFunction(() => document.querySelector("#jog-why").dataset.tone === "bad");
     await page.mouse.up();
   }
-  await page.waitForSelector("#stage[data-shown='2d']");
-  assert.match(await page.textContent("#flattened"), /Flat view/);
+  await isFlat();
+  await bench.setDeadMan(1);
+});
+
+test("after two slow frames while a button is held the stage is flat, and the hold goes on", async () => {
+  await page.reload();
+  await page.waitForSelector("#stage[data-shown='3d']");
+  await page.click("#take");
+  await page.waitForSelector("[data-axis=y_plus]:enabled");
+  await rest(page);
+  await page.evaluate((ms) => { window.slow_ms = ms; }, SLOW_FRAME_MS);
+  const from = traffic.packets.length;
+  await press(page, "y_plus");
+  await isFlat();
+  await moved(page, "y_mm", 5);
+  assert.deepEqual(new Set(traffic.jogs(from).map((it) => it.text)), new Set(["linear 3"]));
 });

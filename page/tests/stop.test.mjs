@@ -10,7 +10,11 @@ const { GESTURES = "60", SEED = "1", STOP_WITHIN_MS = "2000" } = process.env;
 let bench, page, traffic, fingers;
 
 before(async () => {
-  bench = await open({ viewport: { width: 390, height: 844 }, options: { hasTouch: true, isMobile: true } });
+  bench = await open({ viewport: { width: 390, height: 844 }, options: { hasTouch: true, isMobile: true }, webgl: process.env.SOLID === "1", scripts: () => {
+    // How long each press waits for the page, from when the browser has it.
+    window.waited = [];
+    addEventListener("pointerdown", ({ timeStamp, target }) => target.closest("#stop") && window.waited.push(performance.now() - timeStamp), true);
+  } });
   ({ page, traffic } = bench);
   await takeControl(page);
   fingers = await hand(page);
@@ -91,13 +95,17 @@ test(`each of ${GESTURES} random presses stops the arm within ${STOP_WITHIN_MS} 
   for (let n = 0; n < Number(GESTURES); n += 1) {
     // To and fro, so that the arm comes to no limit.
     const it = gesture(random, [`[data-axis=${(await pose(page, "y_mm")) > 0 ? "y_minus" : "y_plus"}]`, "#stage"]);
+    if (n === 0) await page.evaluate(() => (window.waited.length = 0));
     const ms = await stopBy(it);
     if (ms !== undefined) took.push(ms);
     if (ms === undefined || ms > Number(STOP_WITHIN_MS)) missed.push(`${n}: ${words(it)}: ${ms === undefined ? "never" : `${ms.toFixed(0)} ms`}`);
   }
-  took.sort((a, b) => a - b);
-  const at = (share) => took[Math.floor((took.length - 1) * share)]?.toFixed(0);
-  t.diagnostic(`from press to packet: median ${at(0.5)} ms, p99 ${at(0.99)} ms, at most ${at(1)} ms; ${took.filter((ms) => ms <= 30).length} of ${GESTURES} within 30 ms`);
+  const waited = await page.evaluate(() => window.waited);
+  for (const [name, all] of [["from press to packet", took], ["of that until the page has it", waited]]) {
+    all.sort((a, b) => a - b);
+    const at = (share) => all[Math.floor((all.length - 1) * share)]?.toFixed(0);
+    t.diagnostic(`${name}: median ${at(0.5)} ms, p99 ${at(0.99)} ms, at most ${at(1)} ms; ${all.filter((ms) => ms <= 30).length} of ${all.length} within 30 ms`);
+  }
   assert.deepEqual(missed, []);
 });
 

@@ -62,6 +62,7 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
   /** The program that the blocks are, as text. */
   let shown = "";
   /** Marks of the last report, to remove them. @type {string[]} */ let marked = [];
+  /** @type {string | null} */ let selectedId = null;
 
   Blockly.setLocale({ ...english, ...BLOCKLY_TEXTS[language] });
   for (const [type, kind] of kinds) defineBlock(type, kind);
@@ -233,7 +234,9 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
   function heard(event) {
     if (loading) return;
     if (event.type === Blockly.Events.SELECTED) {
-      const block = workspace.getBlockById(/** @type {any} */ (event).newElementId ?? "");
+      const id = /** @type {string | null} */ (/** @type {any} */ (event).newElementId ?? null);
+      if (id !== null || host.contains(document.activeElement)) selectedId = id;
+      const block = workspace.getBlockById(id ?? "");
       const place = block ? placeOfBlock(/** @type {Block} */ (block)) : null;
       if (place) chosen(place[0] === "steps" && typeof place[1] === "number" ? place[1] : null);
     }
@@ -348,11 +351,17 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
     /** Shows a program, unless the blocks are it already. Loose blocks stay. @param {Record<string, unknown>} program */
     show(program) {
       const key = keyOf(program);
-      if (key === shown && programBlock()) return;
+      const old = programBlock();
+      if (key === shown && old) return;
       loading = true;
       Blockly.Events.disable();
       try {
-        const old = programBlock();
+        if (old && typeof program.title === "string" && keyOf({ ...read()?.program, title: program.title }) === key) {
+          // The first change gives the program a title, while its field is still open.
+          old.setFieldValue(program.title, nameOf(["title"]));
+          shown = key;
+          return;
+        }
         const { x, y } = old?.getRelativeToSurfaceXY() ?? { x: 20, y: 20 };
         old?.dispose(false);
         settle(/** @type {Block} */ (Blockly.serialization.blocks.append(/** @type {any} */ ({ ...blockOfProgram(shapes, program), x, y }), workspace)));
@@ -404,9 +413,9 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
     dispose: () => workspace.dispose(),
   };
 
+  /** The selected block; the buttons of the page take the focus, and with it Blockly's own selection. */
   function selected() {
-    const block = Blockly.common.getSelected();
-    return block instanceof Blockly.BlockSvg && block.workspace === workspace ? /** @type {Block} */ (block) : null;
+    return /** @type {Block | null} */ (workspace.getBlockById(selectedId ?? ""));
   }
 
   /** The rows x, y and z of the first position in the selected block. */

@@ -1,8 +1,8 @@
-// Spaces frames out while a button is held, so that drawing leaves most of the time to input. Pure, except for the clock and a
+// Spaces frames out, so that drawing leaves most of the time to input. Pure, except for the clock and a
 // message after each frame.
 
 /** Time for input after a frame, as a multiple of what the frame took. */
-const REST = 3;
+const REST = 4;
 
 /** Calls back after the painting of the current frame. @param {() => void} action */
 function afterPaint(action) {
@@ -20,10 +20,14 @@ export function createFrameBudget(now = () => performance.now(), after = afterPa
   return {
     /** How long the next frame has to wait, in ms. */
     wait_ms: () => Math.max(0, free_ms - now()),
-    /** Measures the frame that begins now. */
-    begin() {
+    /** Measures the frame that begins now. @param {(took_ms: number) => void} [ended] called after it was painted */
+    begin(ended) {
       const from_ms = now();
-      after(() => (free_ms = now() + REST * (now() - from_ms)));
+      after(() => {
+        const to_ms = now();
+        free_ms = to_ms + REST * (to_ms - from_ms);
+        ended?.(to_ms - from_ms);
+      });
     },
   };
 }

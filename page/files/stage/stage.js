@@ -4,6 +4,7 @@
 import { createScene2d } from "./scene_2d.js";
 import { Motion } from "./motion.js";
 import { createFrameBudget } from "../parts/frame_budget.js";
+import { BUSY_MS } from "../station/keep_alive.js";
 import { createLimit, createRenderQuality } from "./render_quality.js";
 
 /** @typedef {import("./view.js").View} View */
@@ -16,6 +17,8 @@ export const PRESETS = ["iso", "top", "side", "tool"];
 const TURN_DEG = 8;
 const SHIFT_PX = 40;
 const NEARER = 1.2;
+/** A frame of 3-D that takes longer while a button is held is reported, by the event `slow`: it may release the button. */
+const SLOW_FRAME_MS = 0.8 * BUSY_MS;
 
 /** @param {HTMLElement} element */
 export function createStage(element) {
@@ -40,7 +43,8 @@ export function createStage(element) {
     },
     changed() {
       if (!inSight || document.hidden || frame || waits) return;
-      const wait_ms = isHeld ? budget.wait_ms() : 0;
+      // Without a graphics card, drawing takes the time of the page's thread, which also handles input.
+      const wait_ms = isHeld || (drawing.kind === "3d" && !hasCard) ? budget.wait_ms() : 0;
       if (wait_ms === 0) frame = requestAnimationFrame(draw);
       else waits = setTimeout(() => {
         waits = undefined;
@@ -55,13 +59,18 @@ export function createStage(element) {
   function draw(now_ms) {
     frame = 0;
     if (!isDue(now_ms)) return outside.changed();
-    budget.begin();
+    budget.begin(drawing.kind === "3d" && isHeld ? reportSlow : undefined);
     const at = motion.at(performance.now() / 1000);
     if (next3d) prepare(next3d, at?.joints ?? null);
     const { rendered, again: pending } = drawing.frame(at?.joints ?? null, performance.now() / 1000);
     const again = (at?.moving ?? false) || pending;
     if (rendered && !isHeld && pace.drawn(now_ms, again)) resize();
     if (again || next3d?.isReady) outside.changed();
+  }
+
+  /** @param {number} took_ms */
+  function reportSlow(took_ms) {
+    if (took_ms > SLOW_FRAME_MS) element.dispatchEvent(new CustomEvent("slow"));
   }
 
   /** Handles a change of visibility: pending changes are drawn when the stage is visible again. */

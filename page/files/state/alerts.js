@@ -1,5 +1,7 @@
 // What the page announces to a person who looks elsewhere: the end of a job, a job that waits for a person, a lost arm. Pure.
 
+import { sentence } from "../i18n/problem_text.js";
+
 /** @typedef {import("./state.js").Page} Page */
 /** @typedef {import("../i18n/i18n.js").Translate} Translate */
 /** @typedef {{ notify: boolean, sound: boolean, permission: NotificationPermission | "insecure" }} Alerts */
@@ -11,20 +13,27 @@ export const NO_ALERTS = { notify: false, sound: false, permission: "default" };
 /** @param {Alerts} alerts @param {import("./message.js").Message} message @returns {Alerts} */
 export const reduceAlerts = (alerts, message) => (message.type === "alerts" ? message.alerts : alerts);
 
-/** What this change announces, or null. @param {Page} before @param {Page} page @param {import("./message.js").Message} message @param {Translate} t */
-export function newsOf(before, page, message, t) {
+/**
+ * What this change announces, or null.
+ * @param {Page} before
+ * @param {Page} page
+ * @param {import("./message.js").Message} message
+ * @param {{ job: number, title: string } | null} last the last job that ran: the station may report its end after it has left it
+ * @param {Translate} t
+ */
+export function newsOf(before, page, message, last, t) {
   if (message.type === "notice" && message.notice.type === "link_lost") return t("alerts.lost");
-  if (message.type === "notice" && message.notice.type === "job") return overText(before, message.notice, t);
+  if (message.type === "notice" && message.notice.type === "job") return overText(page, message.notice, last, t);
   const job = page.station?.job, was = before.station?.job;
   const waits = job && (job.waits_for_person || job.question);
   if (message.type !== "state" || !waits || (was?.job === job.job && (was.waits_for_person || was.question))) return null;
   return t("alerts.person", { title: job.title, why: job.reason ?? (job.question && "text" in job.question ? job.question.text : "") });
 }
 
-/** @param {Page} before @param {{ job: number, phase: string, text: string }} notice @param {Translate} t */
-function overText({ station, jobs }, { job, phase, text }, t) {
+/** @param {Page} page @param {{ job: number, phase: string }} notice @param {{ job: number, title: string } | null} last @param {Translate} t */
+function overText({ jobs }, { job, phase }, last, t) {
   if (phase !== "done" && phase !== "stopped" && phase !== "failed") return null;
-  const title = (station?.job?.job === job ? station.job.title : jobs.all?.find((it) => it.job === job)?.title) ?? text;
+  const title = (last?.job === job ? last : jobs.all?.find((it) => it.job === job))?.title ?? sentence(t("files.last", { job }));
   return phase === "done" ? t("alerts.done", { title }) : t("alerts.over", { title, phase: t(`job.${phase}`) });
 }
 

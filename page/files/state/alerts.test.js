@@ -27,16 +27,17 @@ test("the icon changes in steps, not with each command", () => {
 
 test("a pen change is announced once, when it begins", () => {
   const waits = drawing({ phase: "paused", waits_for_person: true, reason: "pen 2: blue" });
-  assert.equal(newsOf(drawing({}), waits, state, t), "harbour.svg waits for you: pen 2: blue");
-  assert.equal(newsOf(waits, waits, state, t), null);
-  assert.equal(newsOf(drawing({}), drawing({ phase: "paused" }), state, t), null);
+  assert.equal(newsOf(drawing({}), waits, state, null, t), "harbour.svg waits for you: pen 2: blue");
+  assert.equal(newsOf(waits, waits, state, null, t), null);
+  assert.equal(newsOf(drawing({}), drawing({ phase: "paused" }), state, null, t), null);
 });
 
-test("the end of a job and a lost arm are announced, and other notices are not", () => {
-  const over = (/** @type {string} */ phase) => newsOf(drawing({}), page, notice({ type: "job", job: 7, phase }), t);
+test("the end of a job, also of one that the station no longer shows, and a lost arm are announced, and other notices are not", () => {
+  const over = (/** @type {string} */ phase) => newsOf(page, page, notice({ type: "job", job: 7, phase }), { job: 7, title: "harbour.svg" }, t);
   assert.equal(over("done"), "harbour.svg is done.");
   assert.match(over("failed") ?? "", /harbour\.svg has ended: failed/i);
   assert.equal(over("running"), null);
-  assert.equal(newsOf(page, page, notice({ type: "link_lost" }), t), "The connection to the arm is lost.");
-  assert.equal(newsOf(page, page, notice({ type: "link_up" }), t), null);
+  assert.equal(newsOf(page, page, notice({ type: "job", job: 8, phase: "done" }), { job: 7, title: "harbour.svg" }, t), "Job 8 is done.");
+  assert.equal(newsOf(page, page, notice({ type: "link_lost" }), null, t), "The connection to the arm is lost.");
+  assert.equal(newsOf(page, page, notice({ type: "link_up" }), null, t), null);
 });

@@ -26,3 +26,9 @@ export function rendersSame(before, after) {
   const watched = after.tab === "watch";
   return (!watched || before.history === after.history) && read(before.station, watched) === read(after.station, watched);
 }
+
+/** Whether nothing but the pose of the arm has changed. @param {Page} before @param {Page} after */
+export const onlyMoved = (before, after) => rendersSame(withoutArm(before), withoutArm(after));
+
+/** @param {Page} page @returns {Page} */
+const withoutArm = (page) => ({ ...page, station: page.station && { ...page.station, arm: null } });

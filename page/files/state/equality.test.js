@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { reduce } from "./reduce.js";
-import { rendersSame } from "./equality.js";
+import { onlyMoved, rendersSame } from "./equality.js";
 import { begin } from "./state.js";
 
 const STATION = {
@@ -36,6 +36,14 @@ test("any other change of the page is new, and so is a report after a silence", 
   const silent = reduce(OPEN, { type: "tick", now_ms: 3000 });
   assert.ok(!rendersSame(OPEN, silent));
   assert.ok(!rendersSame(silent, afterState({}, silent)));
+});
+
+test("an arm that moves changes nothing but its pose, and a stop is more than that", () => {
+  const arm = { ...STATION.arm, y_mm: 3, moving: true };
+  assert.ok(onlyMoved(OPEN, afterState({ arm })));
+  assert.ok(!onlyMoved(OPEN, afterState({ arm, stop: { by: "desk" } })));
+  assert.ok(!onlyMoved(OPEN, afterState({ arm, laser: { armed_for_s: 9, on: false } })));
+  assert.ok(!onlyMoved(OPEN, reduce(OPEN, { type: "jog_held", axis: "y_plus" })));
 });
 
 test("Watch shows the link and each sample of the charts", () => {

@@ -79,7 +79,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {import("./packets.js").Packets} packets
  * @property {string | null} pad_refused Why the last packet of the mouse or hand pad was refused.
  * @property {Tab} tab
- * @property {boolean} flattened Whether the stage became flat because drawing it interrupted a held button.
+ * @property {boolean} flattened Whether the stage became flat because drawing it was too slow for a held button.
  * @property {boolean} greeted Whether the welcome card was closed.
  * @property {Language} language
  * @property {Theme} theme

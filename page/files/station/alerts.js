@@ -54,8 +54,10 @@ export function createAlerts(store, texts) {
   }
 
   let before = store.page;
+  /** @type {{ job: number, title: string } | null} */ let last = null;
   store.subscribe((page, message) => {
-    const news = newsOf(before, page, message, texts(page));
+    last = page.station?.job ?? last;
+    const news = newsOf(before, page, message, last, texts(page));
     before = page;
     if (["state", "closed", "hello", "language"].includes(message.type)) showProgress(page);
     if (!news) return;

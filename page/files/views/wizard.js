@@ -20,7 +20,9 @@ export function wizard(context) {
   const set = (/** @type {Partial<Wizard>} */ values) => act.send({ type: "teach_wizard", set: values });
   const text = (/** @type {Event} */ event) => /** @type {HTMLInputElement} */ (event.target).value;
   const needed = PLACES[kind];
-  const ready = name.trim() !== "" && needed.every((_, n) => places[n]);
+  // A program needs a step, and only a tray brings one.
+  const isEmpty = kind !== "tray" && page.teach.text.trim() === "";
+  const ready = !isEmpty && name.trim() !== "" && needed.every((_, n) => places[n]);
   return html`
     <details id="wizard">
       <summary>${t("wizard")}</summary>
@@ -40,7 +42,7 @@ export function wizard(context) {
           ${layers > 1 ? html`<label>${t("wizard.layer_mm")} <input id="wizard-layer-mm" class="wizard-count" type="number" step="any" .value=${live(String(layer_mm))} @input=${(/** @type {Event} */ event) => set({ layer_mm: Number(text(event)) })}> mm</label>` : nothing}
         </div>` : nothing}
       <div class="row"><button id="wizard-add" type="button" ?disabled=${!ready} @click=${() => void act.teach.addTouched()}>${t("wizard.add")}</button></div>
-      <p class="quiet">${t(`wizard.${kind}.hint`)}</p>
+      <p class="quiet">${t(isEmpty ? "wizard.empty" : `wizard.${kind}.hint`)}</p>
     </details>`;
 }
 
