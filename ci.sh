@@ -50,6 +50,8 @@ readonly WIDE_STEPS=(
   "workflows    Check the workflow files with actionlint"
   "site         Build README and docs as a website, and check its links"
   "models       Load the arm's models with yourdfpy and mujoco, and compare the kinematics"
+  "voice        Measure how well spoken orders are understood, with speech made by flite"
+  "hands        Look for hands in pictures with MediaPipe's models in a browser"
   "eyes         Measure the accuracy of the camera with 60 photos, and of the calibration from one photo with 200 arms"
   "python-full  Run the tests of the parts of the Python package that need the feature full"
   "recordings   Read recordings and tables with mcap, pandas and datasets, and live data with Foxglove's client"
@@ -382,6 +384,7 @@ step_ros2() {
 step_python() {
   local folder tests=$PWD/python/tests notebooks=$PWD/examples/notebooks
   needs_packages ci
+  needs_command flite flite
   build_all
   folder=$(assembled_package)
   use_photos
@@ -404,6 +407,33 @@ step_python() {
 use_photos() {
   PHOTOS=$(realpath "$(built)/examples/photos")
   export PHOTOS
+}
+
+# More voices and sentences than the tests of the Python package use.
+step_voice() {
+  local folder tests=$PWD/python/tests
+  needs_packages ci
+  needs_command flite flite
+  build_all
+  folder=$(assembled_package)
+  (
+    cd "$folder"
+    VOICE_ALL=1 PYTHONPATH=$folder "$VENV/bin/pytest" --quiet -rP -p no:cacheprovider "$tests/test_voice.py" -k "understood or chatter or stop_is"
+  )
+  rm -rf "$folder"
+}
+
+# The optional part that the page uses, and pictures of hands, from npm.
+step_hands() {
+  local folder
+  needs_packages ci
+  needs_browser
+  build_all
+  folder=$(mktemp -d)
+  npm pack --silent --pack-destination "$folder" @mediapipe/hands@0.4.1675469240 fingerpose@0.1.0
+  "$VENV/bin/python" tests/hands/video.py "$folder/fingerpose-0.1.0.tgz" "$folder/hands.y4m"
+  HANDS=$folder/mediapipe-hands-0.4.1675469240.tgz HAND_VIDEO=$folder/hands.y4m node --test page/tests/follow_hand.test.mjs
+  rm -rf "$folder"
 }
 
 # More photos than the tests of the page and of the Python package use.
@@ -648,7 +678,7 @@ needs_packages() {
 install_packages_early() {
   case " $* " in
     *" eyes "* | *" models "* | *" site "* | *" recordings "* | *" fleet "* | *" ros2 "*) needs_packages wide >/dev/null 2>&1 & ;;
-    *" api "* | *" python "*) needs_packages ci >/dev/null 2>&1 & ;;
+    *" api "* | *" python "* | *" voice "* | *" hands "*) needs_packages ci >/dev/null 2>&1 & ;;
     *) return ;;
   esac
   INSTALLING=$!

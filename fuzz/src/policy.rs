@@ -123,6 +123,8 @@ const WORDS: &[&str] = &[
     "reaction_s = ",
     "[queue]\n",
     "ahead_s = ",
+    "[voice]\n",
+    "largest_mm = ",
     "[-135, 135]\n",
     "[-10, 60]\n",
     "[150, 300]\n",

@@ -38,10 +38,12 @@ const isStillMoving = (problem) => problem?.type?.endsWith("/still-moving") ?? f
  * @param {import("./station/teach.js").TeachRequests} outside.teach
  * @param {import("./station/buttons.js").ButtonRequests} outside.buttons
  * @param {import("./station/look.js").LookRequests} outside.look
+ * @param {import("./station/talk.js").TalkRequests} outside.talk
+ * @param {import("./station/photo.js").PhotoRequests} outside.photo
  * @param {import("./station/files.js").FileRequests} outside.files
  * @param {import("./station/alerts.js").AlertRequests} outside.alerts
  */
-export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, jobs, teach, buttons, look, files, alerts }) {
+export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, jobs, teach, buttons, look, talk, photo, files, alerts }) {
   const { send } = store;
   /** Number of stops so far, by this page or another client. */
   let stops = 0;
@@ -168,7 +170,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
 
   return {
     setName,
-    send, ask, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs, teach, buttons, look, files, alerts,
+    send, ask, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs, teach, buttons, look, talk, photo, files, alerts,
 
     /** Asks for confirmation. @param {Question} question */
     question: (question) => send({ type: "question", question }),

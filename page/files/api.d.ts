@@ -1084,6 +1084,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/talk": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** Whether a listener runs next to the station, so that orders can be spoken */
+        get: operations["get_talk"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/talk/audio": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** For a listener: the audio that clients have sent as binary WebSocket messages since the last request; waits up to a second for some. What it understands it sends as a request `heard` */
+        get: operations["get_talk_audio"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/recordings": {
         parameters: {
             query?: never;
@@ -1284,6 +1318,40 @@ export interface paths {
         };
         /** A small picture of a stored drawing or photo; null until it is made */
         get: operations["get_files_id_sketch"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/extras": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The optional parts of the page that are installed (`dobot extras`) */
+        get: operations["get_extras"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/extras/{extra}/{file}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** A file of an optional part of the page */
+        get: operations["get_extras_extra_file"];
         put?: never;
         post?: never;
         delete?: never;
@@ -2547,7 +2615,11 @@ export interface components {
              * @default 0
              */
             rotation_deg: number;
+            /** @description The sense that has located it, if it is no person's own input. */
+            sense?: components["schemas"]["Sense"] | null;
         };
+        /** @description Where a command comes from, if not from a person's own input. */
+        Sense: "camera" | "microphone" | "hand";
         /** @description Facts of the arm; valid until the policy or the dialect changes. */
         ArmFacts: {
             /** @description The lengths of its links and rods. */
@@ -2786,6 +2858,13 @@ export interface components {
             command: number;
         } | {
             /** @constant */
+            type: "heard";
+            /** @description The client that holds a button to talk; absent for the listener's own microphone. */
+            client?: components["schemas"]["ClientId"] | null;
+            /** @description What was understood. */
+            heard: components["schemas"]["Heard"];
+        } | {
+            /** @constant */
             type: "sensed";
             /** @description The client. */
             client: components["schemas"]["ClientId"];
@@ -2931,8 +3010,25 @@ export interface components {
             /** @constant */
             type: "trouble";
         });
-        /** @description Where a command comes from, if not from a person's own input. */
-        Sense: "camera";
+        /** @description What was understood of something that was said. */
+        Heard: {
+            /** @constant */
+            what: "order";
+            /** @description Its words, as in a voice command. */
+            words: string;
+        } | {
+            /** @constant */
+            what: "go";
+        } | {
+            /** @constant */
+            what: "no";
+        } | {
+            /** @constant */
+            what: "stop";
+        } | {
+            /** @constant */
+            what: "nothing";
+        };
         /**
          * @description The safety policy: what no client's command may do.
          *
@@ -3089,6 +3185,13 @@ export interface components {
              *     }
              */
             queue: components["schemas"]["QueueRules"];
+            /**
+             * @description The rules for spoken orders.
+             * @default {
+             *       "largest_mm": 50
+             *     }
+             */
+            voice: components["schemas"]["VoiceRules"];
         };
         /** @description The table, which the tool tip may not enter. */
         Table: {
@@ -3330,6 +3433,16 @@ export interface components {
              * @default 3600
              */
             line_s: number;
+        };
+        /** @description The rules for spoken orders. */
+        VoiceRules: {
+            /**
+             * Format: double
+             * @description The longest distance of one spoken order, in mm: 1 to 1000. It may have been
+             *     misunderstood.
+             * @default 50
+             */
+            largest_mm: number;
         };
         /** @description A new policy. */
         PolicyText: {
@@ -4975,6 +5088,18 @@ export interface components {
             type: "program";
             /** @description Its TOML text. */
             text: string;
+        };
+        /** @description Whether a listener runs. */
+        Listener: {
+            /** @description Whether it has asked for audio in the last seconds. */
+            listens: boolean;
+        };
+        /** @description A piece of what a client says. */
+        TalkPiece: {
+            /** @description The client. */
+            client: components["schemas"]["ClientId"];
+            /** @description Samples at 16 kHz, 16 bits, little-endian, one channel, as Base64; empty at the end of what is said. */
+            pcm: string;
         };
         /** @description A recording. */
         RecordingView: {
@@ -6785,6 +6910,13 @@ export interface components {
             sense: components["schemas"]["Sense"];
             /** @description The command. */
             command: components["schemas"]["Command"];
+        } | {
+            /** @constant */
+            type: "heard";
+            /** @description The client whose audio it was; absent for the listener's own microphone. */
+            client?: components["schemas"]["ClientId"] | null;
+            /** @description What was understood. */
+            heard: components["schemas"]["Heard"];
         } | {
             /** @constant */
             type: "check_command";
@@ -16249,6 +16381,132 @@ export interface operations {
             };
         };
     };
+    get_talk: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description whether a listener runs */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Listener"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_talk_audio: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the pieces, in the order in which they were sent */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TalkPiece"][];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_recordings: {
         parameters: {
             query?: {
@@ -17921,6 +18179,135 @@ export interface operations {
             /** @description - `files-unusable`: the files cannot be read or written */
             507: {
                 headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_extras: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description their names */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": string[];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_extras_extra_file: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                extra: string;
+                file: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the file */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": string;
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
                     [name: string]: unknown;
                 };
                 content: {

@@ -24,6 +24,8 @@ import { begin } from "./state/state.js";
 import { createStore } from "./state/store.js";
 import { followAuxiliaryData } from "./station/auxiliary_data.js";
 import { createButtons } from "./station/buttons.js";
+import { createHands } from "./station/hands.js";
+import { createPhoto } from "./station/photo.js";
 import { createHttp, takeToken } from "./station/http.js";
 import { createAlerts } from "./station/alerts.js";
 import { createFiles } from "./station/files.js";
@@ -36,6 +38,7 @@ import { createCalibrate } from "./station/calibrate.js";
 import { createSetUp } from "./station/set_up.js";
 import { followDrawing } from "./station/drawing.js";
 import { createSocket } from "./station/socket.js";
+import { createTalk } from "./station/talk.js";
 import { createTeach } from "./station/teach.js";
 import { followTarget } from "./station/target.js";
 import { nothing, render } from "./vendor/lit-html/lit-html.js";
@@ -80,7 +83,8 @@ const setUpRequests = createSetUp(store, http, socket);
 const jobRequests = createJobs(store, http, socket);
 const fileRequests = createFiles(store, http);
 const alertRequests = createAlerts(store, ({ language }) => translator(language));
-const act = createActions({ store, socket, http, alerts: alertRequests, files: fileRequests, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), lessons: createLessons(store, http), jobs: jobRequests, teach: createTeach(store, http, jobRequests), buttons: createButtons(store, http, jobRequests), look: createLook(store, http, socket, jobRequests) });
+const act = createActions({ store, socket, http, alerts: alertRequests, files: fileRequests, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), lessons: createLessons(store, http), jobs: jobRequests, teach: createTeach(store, http, jobRequests), buttons: createButtons(store, http, jobRequests), look: createLook(store, http, socket, jobRequests), talk: createTalk(store, http, socket), photo: createPhoto(store, socket) });
+const hands = createHands(store, http, socket, act.stop);
 const jog = createJog(store, socket);
 const pads = createPads(store, socket);
 const stage = createStage(part("stage"));
@@ -119,7 +123,7 @@ function draw() {
   const { page } = store;
   const t = translator(page.language);
   /** @type {Context} */
-  const context = { page, t, act, jog, pads, connect: socket.connect, look: (preset) => stage.look(preset) };
+  const context = { page, t, act, jog, pads, hands, connect: socket.connect, look: (preset) => stage.look(preset) };
   // While a button is held, the page has time for the numbers only.
   const numbersOnly = drawn !== null && page.jog.held !== null && onlyMoved(drawn, page);
   drawn = page;

@@ -159,7 +159,7 @@ export async function open({ viewport = { width: 1130, height: 640 }, webgl = fa
   }
   const page = await visit({ viewport, ...options }, scripts);
   return {
-    page, traffic, errors, visit, enter, setDeadMan, url: front.url,
+    page, traffic, errors, visit, enter, setDeadMan, folder, url: front.url,
     /** Makes all that is said between browser and station late, both ways. */
     slow: (delay_ms) => (front.way.delay_ms = delay_ms),
     /** Lets nothing pass any more between browser and station, without an end of any connection; `mend` lets it pass. */

@@ -4,7 +4,9 @@ import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { onSheet, placeOfMarker } from "../files/vision/geometry.js";
+import { MARKER_MM } from "../files/state/look.js";
+import { heightOfMarker, onSheet, placeOfMarker } from "../files/vision/geometry.js";
+import { CROSSES, LEAST_CROSSES, crossesIn } from "../files/vision/crosses.js";
 import { createLook } from "../files/vision/look.js";
 import { readPhoto, renderPhotos } from "./photos.mjs";
 
@@ -19,7 +21,7 @@ after(() => rmSync(folder, { recursive: true }));
 const share = (values, part) => values.toSorted((a, b) => a - b)[Math.floor((values.length - 1) * part)];
 
 test("objects are found within 0.5 mm for half of the photos and 1 mm for 95 of 100", () => {
-  const errors_mm = [], turns_deg = [], blobs_mm = [];
+  const errors_mm = [], turns_deg = [], blobs_mm = [], heights_mm = [];
   for (const photo of renderPhotos(folder, "look", COUNT)) {
     const { picture, truth } = readPhoto(photo);
     const { view, markers, blob } = createLook(truth.sheet).look(picture, 0);
@@ -29,15 +31,37 @@ test("objects are found within 0.5 mm for half of the photos and 1 mm for 95 of 
     const { x_mm, y_mm, turn_deg } = placeOfMarker(view, marker, object.height_mm);
     errors_mm.push(Math.hypot(x_mm - object.x_mm, y_mm - object.y_mm));
     turns_deg.push(Math.abs(((turn_deg - object.turn_deg + 540) % 360) - 180));
+    heights_mm.push(Math.abs(heightOfMarker(view, marker, MARKER_MM) - object.height_mm));
     assert.ok(blob, photo);
     const [x, y] = onSheet(view, blob, block.height_mm);
     blobs_mm.push(Math.hypot(x - block.x_mm, y - block.y_mm));
   }
   const [half, most] = [0.5, 0.95].map((part) => share(errors_mm, part));
   console.log(`markers: ${half.toFixed(2)} mm, ${most.toFixed(2)} mm (50, 95 of 100), turned ${share(turns_deg, 0.95).toFixed(2)} degrees; colours: ${share(blobs_mm, 0.5).toFixed(2)}, ${share(blobs_mm, 0.95).toFixed(2)} mm`);
+  console.log(`heights: ${share(heights_mm, 0.5).toFixed(1)}, ${share(heights_mm, 0.95).toFixed(1)} mm`);
+  assert.ok(share(heights_mm, 0.95) < 5);
   assert.ok(half <= 0.5 && most <= 1, `${half}, ${most}`);
   assert.ok(share(turns_deg, 0.95) < 1.5);
   assert.ok(share(blobs_mm, 0.95) < 3);
+});
+
+test("the crosses that an arm drew are found within 0.3 mm for 95 of 100", () => {
+  const errors_mm = [];
+  for (const photo of renderPhotos(folder, "crosses", Math.ceil(COUNT / 3), "1024x768")) {
+    const { picture, truth } = readPhoto(photo);
+    const found = crossesIn(picture, truth.sheet, CROSSES);
+    assert.ok(found.filter(Boolean).length >= 20, `${photo}: ${found.filter(Boolean).length} of 25`);
+    found.forEach((at, n) => at && errors_mm.push(Math.hypot(at[0] - truth.crosses[n].at_mm[0], at[1] - truth.crosses[n].at_mm[1])));
+  }
+  console.log(`crosses: ${share(errors_mm, 0.5).toFixed(2)} mm, ${share(errors_mm, 0.95).toFixed(2)} mm (50, 95 of 100 of ${errors_mm.length})`);
+  assert.ok(share(errors_mm, 0.95) <= 0.3);
+});
+
+test("a photo without corners gives no crosses, and one without crosses none", () => {
+  const [covered] = renderPhotos(folder, "covered", 1).map(readPhoto);
+  assert.equal(crossesIn(covered.picture, covered.truth.sheet, CROSSES), null);
+  const [still] = renderPhotos(folder, "still", 1).map(readPhoto);
+  assert.ok(crossesIn(still.picture, still.truth.sheet, CROSSES).filter(Boolean).length < LEAST_CROSSES);
 });
 
 for (const [set, expected] of [["blurred", "blurred"], ["glare", "glare"], ["covered", "few_corners"]]) {

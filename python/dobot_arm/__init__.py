@@ -14,7 +14,7 @@ from .drawing import Plan, Progress, bar, formats, plan
 from .errors import Closed, Error, Failed, Kind, LinkLost, Paused, Refused, Stopped, kinds
 from .operations import Button, Path, Tool
 from .programs import (
-    Ask, Point, Program, ProgramProblem, ProgramReport, ProgramStep, Question, Step, program, program_bar,
+    Ask, Point, Program, ProgramProblem, ProgramReport, ProgramStep, Question, SeenPosition, Step, program, program_bar,
 )
 from .state import ControlState, JobState, LaserState, LinkState, State, StopState
 from .status import Joints, Pose, Status
@@ -36,7 +36,7 @@ __all__ = [
     "Arm", "Ask", "AsyncArm", "AsyncJog", "Button", "Calibration", "Closed", "ControlState", "Error", "Eye",
     "Failed", "Files", "JobState", "Jog", "Joints", "Kind", "LaserState", "LinkLost", "LinkState", "Object",
     "Path", "Paused", "Place", "Plan", "Point", "Pose", "Program", "ProgramProblem", "ProgramReport",
-    "ProgramStep", "Progress", "Question", "Recording", "Refused", "SHEET", "Served", "Simulation", "State",
+    "ProgramStep", "Progress", "Question", "Recording", "Refused", "SHEET", "SeenPosition", "Served", "Simulation", "State",
     "Status", "Step", "StopState", "Stopped", "StoredFile", "Table", "Take", "Tool", "Touch", "World",
     "__version__", "aconnect", "assert_ink", "assert_object", "bar", "calibrate", "calibrate_from_photo",
     "connect", "draw_crosses", "files", "formats", "kinds", "log", "plan", "program", "program_bar", "serve",

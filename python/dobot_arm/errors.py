@@ -12,7 +12,7 @@ Kind = Literal[
     "forbidden-origin", "gives-no-arms", "internal", "invalid", "job-phase", "job-running", "journal",
     "key-reused", "laser-disarmed", "lease-gone", "let-go", "locked", "malformed", "media-type", "member-away",
     "member-refused", "method", "name-taken", "needs-a-person", "no-fleet", "no-job-runs", "no-lease",
-    "no-link", "no-question", "no-such-arm", "no-such-button", "no-such-drawing", "no-such-file", "no-such-job",
+    "no-link", "no-listener", "no-question", "no-such-arm", "no-such-button", "no-such-drawing", "no-such-file", "no-such-job",
     "no-such-member", "no-such-recording", "no-such-token", "no-such-work", "no-vectors", "not-asking",
     "not-built",
     "not-delivered", "not-reached", "not-virtual", "out-of-range", "policy", "policy-file", "recording",

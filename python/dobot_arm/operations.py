@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import warnings
 from collections.abc import Callable, Coroutine, Iterable, Sequence
 from dataclasses import dataclass
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Concatenate, Generic, Literal, NoReturn, 
 from ._core import Core, Pending, joints_warning, point_warning
 from .drawing import Plan, Progress, bar
 from .errors import Failed
-from .programs import Ask, Program, ProgramProgress, ProgramReport, Question, program_bar
+from .programs import Ask, Program, ProgramProgress, ProgramReport, Question, SeenPosition, program_bar
 from .state import State
 from .status import Joints, Pose, Status
 from .take import Take
@@ -80,11 +81,11 @@ def _taught(program: Program) -> Taught:
     return program._taught
 
 
-def _answer(given: str | Sequence[float]) -> tuple[str | None, tuple[float, float, float, float] | None]:
+def _answer(given: str | Sequence[float]) -> tuple[str | None, tuple[float, float, float, float] | None, bool]:
     if isinstance(given, str):
-        return given, None
+        return given, None, False
     x, y, z, *rest = given
-    return None, (x, y, z, rest[0] if rest else 0.0)
+    return None, (x, y, z, rest[0] if rest else 0.0), isinstance(given, SeenPosition)
 
 
 class operation(Generic[P, T]):
@@ -347,13 +348,25 @@ class Connection:
         return Operation(self._core.mouse((x, y, z), rotation, suction), _status)
 
     @operation
-    def say(self, text: str) -> Operation[Status]:
+    def say(self, text: str, *, spoken: bool = False) -> Operation[Status]:
         """Sends a voice command as text (state 5), and waits until it is carried out.
 
         It has one order: ahead, back, left, right, up or down with a number of mm in English words
-        (``"left ten"``), or catch, or release. Raises :class:`ValueError` for other texts.
+        (``"left ten"``), or catch, or release. ``spoken`` marks it as heard by a microphone: it then moves at most
+        ``voice.largest_mm`` of the policy. Raises :class:`ValueError` for other texts.
         """
-        return Operation(self._core.say(text), _status)
+        return Operation(self._core.say(text, spoken), _status)
+
+    @operation
+    def report_heard(
+        self, what: Literal["order", "go", "no", "stop", "nothing"], words: str = "", *, client: int | None = None
+    ) -> Operation[None]:
+        """Shows on all pages what a microphone heard; nothing moves.
+
+        ``words`` are those of an order. ``client`` is the page whose audio it was, if it was not this program's own.
+        """
+        heard = {"what": what, **({"words": words} if what == "order" else {})}
+        return Operation(self._core.report_heard(json.dumps(heard), client), _nothing)
 
     @operation
     def hand(

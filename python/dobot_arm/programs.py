@@ -7,7 +7,7 @@ import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, TypedDict
+from typing import Any, Literal, NamedTuple, TypedDict
 
 from ._core import Taught
 from .values import json_object
@@ -36,6 +36,19 @@ class Question:
             name = asked["name"]
             return cls(text=f"Where is {name}?", answers=(), place=name, by="seen")
         return cls(text=asked["text"], answers=tuple(asked["answers"]), place=None, by=asked["by"])
+
+
+class SeenPosition(NamedTuple):
+    """A position that a camera has located, as an answer; marked as such in the log and on the page."""
+
+    x_mm: float
+    """Ahead of the base's axis, in mm."""
+    y_mm: float
+    """To the left of the base's axis, in mm."""
+    z_mm: float
+    """Above the rear arm's pivot, in mm."""
+    turn_deg: float = 0.0
+    """The rotation of the tool, in degrees."""
 
 
 Ask = Callable[[Question], str | Sequence[float]]

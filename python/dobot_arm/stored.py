@@ -108,13 +108,15 @@ def files(
 
     ``token``, ``fingerprint`` and ``ca`` are as in :func:`connect`.
     """
-    return Files(
-        _core.Files(
-            station,
-            {
-                "name": "python", "token": token, "dialect": None, "watchdog": None,
-                "fingerprint": fingerprint, "ca": None if ca is None else os.fspath(ca),
-                "world": None, "faults": [], "seed": 0,
-            },
-        )
-    )
+    return Files(_core.Files(station, station_options(token, fingerprint, ca)))
+
+
+def station_options(
+    token: str | None, fingerprint: str | None, ca: str | os.PathLike[str] | None
+) -> _core.ConnectOptions:
+    """The options to find a station."""
+    return {
+        "name": "python", "token": token, "dialect": None, "watchdog": None,
+        "fingerprint": fingerprint, "ca": None if ca is None else os.fspath(ca),
+        "world": None, "faults": [], "seed": 0,
+    }

@@ -15,6 +15,7 @@ import numpy as np
 
 from ._core import sheet_markers
 from .errors import Error
+from .programs import SeenPosition
 
 try:
     import cv2
@@ -169,7 +170,7 @@ class Eye:
             while (place := self.look().places.get(int(number))) is None:
                 if time.monotonic() > until:
                     raise Error(f"marker {number} was not seen for {timeout} s; check that it and three corners of the sheet are in the picture")
-            return (place.x_mm, place.y_mm, z_mm + self.heights.get(int(number), 0.0), place.turn_deg)
+            return SeenPosition(place.x_mm, place.y_mm, z_mm + self.heights.get(int(number), 0.0), place.turn_deg)
 
         return answer
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use dobot_api::{Button, ClientId, Request};
+use dobot_api::{Button, ClientId, Heard, Request, Sense};
 use dobot_arm::Tool;
 use dobot_controller::PowerUp;
 use dobot_host::{PathName, Target, TargetPlace, voice_command};
@@ -153,7 +153,7 @@ impl Core {
             };
             target.command(from)
         };
-        self.begin(Operation::CarryOut(Box::new(command)))
+        self.begin(Operation::CarryOut(Box::new(command), None))
     }
 
     /// Sets the percentages of speed and acceleration of moves.
@@ -179,13 +179,22 @@ impl Core {
             }
             .into()
         };
-        self.begin(Operation::CarryOut(Box::new(command)))
+        self.begin(Operation::CarryOut(Box::new(command), None))
     }
 
-    /// Sends a voice command as text.
-    fn say(&self, text: &str) -> PyResult<Pending> {
+    /// Sends a voice command as text; with `spoken` a microphone has heard it.
+    fn say(&self, text: &str, spoken: bool) -> PyResult<Pending> {
         let voice = voice_command(text).map_err(|error| value_error(&error))?;
-        Ok(self.carry_out(voice))
+        let sense = spoken.then_some(Sense::Microphone);
+        let command = Box::new(move |_: &Status, _| voice.into());
+        Ok(self.begin(Operation::CarryOut(command, sense)))
+    }
+
+    /// Publishes what a microphone heard: a JSON object as in requests.
+    fn report_heard(&self, heard: &str, client: Option<u64>) -> PyResult<Pending> {
+        let heard: Heard = serde_json::from_str(heard).map_err(|error| value_error(&error))?;
+        let client = client.map(ClientId);
+        Ok(self.begin(Operation::Plain(Request::Heard { client, heard })))
     }
 
     /// Moves to the position of a hand; without `grab` the pump stays as it is.
@@ -195,7 +204,7 @@ impl Core {
             let grab = grab.unwrap_or(from.suction);
             Gesture { x, y, z, grab }.into()
         };
-        self.begin(Operation::CarryOut(Box::new(command)))
+        self.begin(Operation::CarryOut(Box::new(command), None))
     }
 
     /// Draws one straight line; `speeds_mm_s` are the maximum, at the start and at the end.
@@ -390,7 +399,7 @@ impl Core {
             };
             target.command(from)
         };
-        Ok(self.begin(Operation::CarryOut(Box::new(command))))
+        Ok(self.begin(Operation::CarryOut(Box::new(command), None)))
     }
 
     fn inspect(
@@ -408,7 +417,7 @@ impl Core {
     fn carry_out(&self, command: impl Into<Command>) -> Pending {
         let command = command.into();
         let command = move |_: &Status, _: Option<Dialect>| command;
-        self.begin(Operation::CarryOut(Box::new(command)))
+        self.begin(Operation::CarryOut(Box::new(command), None))
     }
 
     fn begin(&self, operation: Operation) -> Pending {

@@ -1,4 +1,4 @@
-//! The files that a station stores.
+//! The files that a station stores, and the audio that its pages send.
 
 use std::future::Future;
 
@@ -22,24 +22,22 @@ pub(crate) struct Files {
 impl Files {
     #[new]
     fn new(at: &str, options: ConnectOptions) -> PyResult<Self> {
-        match place(at, options)? {
-            Where::Station(search) => Ok(Self { search }),
-            _ => Err(PyValueError::new_err(format!(
-                "there is no station at `{at}`; allowed are station and http://HOST:PORT"
-            ))),
-        }
+        let search = station(at, options)?;
+        Ok(Self { search })
     }
 
     /// Returns all files as JSON.
     fn list(&self, py: Python<'_>) -> PyResult<String> {
-        let files = self.ask(py, async |station| fetch::<Value>(&station, FILES).await)?;
+        let files = ask(&self.search, py, async |station| {
+            fetch::<Value>(&station, FILES).await
+        })?;
         Ok(files.to_string())
     }
 
     /// Stores a file; returns it as JSON.
     fn put(&self, py: Python<'_>, name: &str, content: &str, existing: &str) -> PyResult<String> {
         let new = json!({"name": name, "content": content, "existing": existing});
-        let stored = self.ask(py, async |station| {
+        let stored = ask(&self.search, py, async |station| {
             post::<Value>(&station, FILES, &new).await
         })?;
         Ok(stored.to_string())
@@ -48,38 +46,73 @@ impl Files {
     /// Returns the content of a file.
     fn get(&self, py: Python<'_>, number: u64) -> PyResult<Vec<u8>> {
         let path = format!("{FILES}/{number}/content");
-        self.ask(py, async |station| fetch_bytes(&station, &path).await)
+        ask(&self.search, py, async |station| {
+            fetch_bytes(&station, &path).await
+        })
     }
 
     /// Deletes a file.
     fn remove(&self, py: Python<'_>, number: u64) -> PyResult<()> {
         let path = format!("{FILES}/{number}");
-        self.ask(py, async |station| delete::<()>(&station, &path).await)
+        ask(&self.search, py, async |station| {
+            delete::<()>(&station, &path).await
+        })
     }
 }
 
-impl Files {
-    /// Sends a request to the station, in the calling thread.
-    fn ask<T: Send, F: Future<Output = Result<T, ConnectError>>>(
-        &self,
-        py: Python<'_>,
-        request: impl FnOnce(StationAddress) -> F + Send,
-    ) -> PyResult<T> {
-        let search = self.search.clone();
-        let asked = py.detach(move || {
-            let runtime = runtime::Builder::new_current_thread().enable_all().build();
-            let runtime = runtime.map_err(|error| lost(&error, None))?;
-            runtime.block_on(async {
-                let found = search.find().await.map_err(|error| lost(&error, None))?;
-                let station = found.ok_or_else(|| Failure::LinkLost {
-                    text: "no station runs on this machine".to_owned(),
-                    hint: Some("start one with `dobot up`".to_owned()),
-                })?;
-                Ok(request(station).await?)
-            })
-        });
-        asked.map_err(|failure: Failure| exception(py, &failure))
+/// The audio that pages of a station send to a listener.
+#[pyclass(frozen)]
+pub(crate) struct TalkAudio {
+    search: StationSearch,
+}
+
+#[pymethods]
+impl TalkAudio {
+    #[new]
+    fn new(at: &str, options: ConnectOptions) -> PyResult<Self> {
+        let search = station(at, options)?;
+        Ok(Self { search })
     }
+
+    /// Returns what has arrived since the last call as JSON; waits up to a second.
+    fn fetch(&self, py: Python<'_>) -> PyResult<String> {
+        const AUDIO: &str = "/api/v1/talk/audio";
+        let pieces = ask(&self.search, py, async |station| {
+            fetch::<Value>(&station, AUDIO).await
+        })?;
+        Ok(pieces.to_string())
+    }
+}
+
+fn station(at: &str, options: ConnectOptions) -> PyResult<StationSearch> {
+    match place(at, options)? {
+        Where::Station(search) => Ok(search),
+        _ => Err(PyValueError::new_err(format!(
+            "there is no station at `{at}`; allowed are station and http://HOST:PORT"
+        ))),
+    }
+}
+
+/// Sends a request to the station, in the calling thread.
+fn ask<T: Send, F: Future<Output = Result<T, ConnectError>>>(
+    search: &StationSearch,
+    py: Python<'_>,
+    request: impl FnOnce(StationAddress) -> F + Send,
+) -> PyResult<T> {
+    let search = search.clone();
+    let asked = py.detach(move || {
+        let runtime = runtime::Builder::new_current_thread().enable_all().build();
+        let runtime = runtime.map_err(|error| lost(&error, None))?;
+        runtime.block_on(async {
+            let found = search.find().await.map_err(|error| lost(&error, None))?;
+            let station = found.ok_or_else(|| Failure::LinkLost {
+                text: "no station runs on this machine".to_owned(),
+                hint: Some("start one with `dobot up`".to_owned()),
+            })?;
+            Ok(request(station).await?)
+        })
+    });
+    asked.map_err(|failure: Failure| exception(py, &failure))
 }
 
 const FILES: &str = "/api/v1/files";

@@ -25,7 +25,7 @@ use crate::arm::{Core, joints_warning, point_warning};
 use crate::calibrate::{Calibrated, sheet_markers, sheet_points};
 use crate::drawing::{Drawing, Lines, drawing_formats};
 use crate::failure::kinds;
-use crate::files::Files;
+use crate::files::{Files, TalkAudio};
 use crate::log::Log;
 use crate::pending::{Pending, Statuses};
 use crate::program::Taught;
@@ -48,6 +48,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(sheet_points, module)?)?;
     module.add_class::<Served>()?;
     module.add_class::<Files>()?;
+    module.add_class::<TalkAudio>()?;
     module.add_function(wrap_pyfunction!(kinds, module)?)?;
     module.add_function(wrap_pyfunction!(world_svg, module)?)?;
     module.add_function(wrap_pyfunction!(ink_deviation, module)?)?;

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use dobot_api::{Answer, GivenPlace};
+use dobot_api::{Answer, GivenPlace, Sense};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString, PyTuple};
 
@@ -73,7 +73,8 @@ impl Pending {
     }
 
     /// Answers the question of a program: one of its answers, or a position in mm and degrees.
-    fn answer(&self, choice: Option<String>, place: Option<[f64; 4]>) {
+    /// With `seen` a camera has located it.
+    fn answer(&self, choice: Option<String>, place: Option<[f64; 4]>, seen: bool) {
         let answer = match (choice, place) {
             (Some(choice), _) => Answer::Choice(choice),
             (None, Some([x_mm, y_mm, z_mm, rotation_deg])) => Answer::Place(GivenPlace {
@@ -82,6 +83,7 @@ impl Pending {
                 y_mm,
                 z_mm,
                 rotation_deg,
+                sense: seen.then_some(Sense::Camera),
             }),
             (None, None) => Answer::Skip,
         };

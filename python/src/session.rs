@@ -5,7 +5,9 @@ mod job;
 use std::time::Duration;
 
 use dobot_api::problem_kinds::{BAD_PROGRAM, COMMAND, NO_LEASE};
-use dobot_api::{Answer as JobAnswer, Jog, RemoteError, Reply, Request, State, StationEvent};
+use dobot_api::{
+    Answer as JobAnswer, Jog, RemoteError, Reply, Request, Sense, State, StationEvent,
+};
 use dobot_controller::PowerUp;
 use dobot_host::{JobsError, StationClient};
 use dobot_wire::{Command, Dialect, ParseError};
@@ -126,7 +128,7 @@ impl Session {
     async fn act(&mut self, operation: Operation, reports: &Sender<Report>) -> Answer {
         let moves = matches!(
             operation,
-            Operation::CarryOut(_)
+            Operation::CarryOut(..)
                 | Operation::Draw(_)
                 | Operation::Run(_)
                 | Operation::Follow(_)
@@ -143,13 +145,13 @@ impl Session {
             Operation::Connected => {}
             Operation::NextStatus => return Ok(Outcome::Status(self.next_status().await?)),
             Operation::State => return Ok(Outcome::Json(self.known().await?)),
-            Operation::CarryOut(command) => {
+            Operation::CarryOut(command, sense) => {
                 let state = self.client.first_state().await?;
                 let arm = state.arm.as_ref().ok_or(RemoteError::Silent)?;
                 let command = command(&arm.status, state.dialect);
                 publish(&self.statuses, &state);
                 check(&command, state.dialect)?;
-                self.carry_out(command).await?;
+                self.carry_out(command, sense).await?;
                 return Ok(Outcome::Status(self.next_status().await?));
             }
             Operation::Draw(request) => self.draw(*request, reports).await?,
@@ -205,9 +207,12 @@ impl Session {
         })
     }
 
-    async fn carry_out(&mut self, command: Command) -> Result<(), Failure> {
+    async fn carry_out(&mut self, command: Command, sense: Option<Sense>) -> Result<(), Failure> {
         self.client.request(Request::TakeLease).await?;
-        let request = Request::Command { command };
+        let request = match sense {
+            Some(sense) => Request::SensedCommand { sense, command },
+            None => Request::Command { command },
+        };
         if let Reply::Accepted { command, .. } = self.client.request_at_rest(request).await? {
             let statuses = &self.statuses;
             let see = |state: &State| publish(statuses, state);

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use dobot_api::{Answer as JobAnswer, Jog, Request, State, StationSearch};
+use dobot_api::{Answer as JobAnswer, Jog, Request, Sense, State, StationSearch};
 use dobot_controller::PowerUp;
 use dobot_draw::DrawingRequest;
 use dobot_host::{LocalArm, StationClient};
@@ -39,8 +39,8 @@ pub(crate) enum Operation {
     NextStatus,
     /// Everything that the station knows, as JSON.
     State,
-    /// A computed command.
-    CarryOut(Box<CommandFor>),
+    /// A computed command, and the sense that it comes from, if any.
+    CarryOut(Box<CommandFor>, Option<Sense>),
     Draw(Box<DrawingRequest>),
     Run(Box<Run>),
     /// Move through points without a stop in between.

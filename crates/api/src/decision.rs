@@ -7,6 +7,8 @@ use dobot_wire::Command;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::Sense;
+
 /// A program that asks while it runs. Its job has the commands up to the next question; the answer
 /// adds the commands up to the one after it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -112,6 +114,9 @@ pub struct GivenPlace {
     /// The rotation of the tool, in degrees; default 0.
     #[serde(default)]
     pub rotation_deg: f64,
+    /// The sense that has located it, if it is no person's own input.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sense: Option<Sense>,
 }
 
 impl Question {
@@ -192,7 +197,17 @@ impl fmt::Display for Answer {
         match self {
             Self::Choice(answer) => f.write_str(answer),
             Self::Place(place) => {
-                write!(f, "x {} y {} z {}", place.x_mm, place.y_mm, place.z_mm)
+                let GivenPlace {
+                    x_mm,
+                    y_mm,
+                    z_mm,
+                    sense,
+                    ..
+                } = place;
+                if let Some(sense) = sense {
+                    write!(f, "{sense}: ")?;
+                }
+                write!(f, "x {x_mm} y {y_mm} z {z_mm}")
             }
             Self::Skip => f.write_str("skip"),
             Self::NextCycle => f.write_str("next cycle"),

@@ -134,6 +134,12 @@ impl Folders {
         self.data.join("files")
     }
 
+    /// The folder of optional parts of the page.
+    #[must_use]
+    pub fn extras(&self) -> PathBuf {
+        self.data.join("extras")
+    }
+
     /// The file of webhooks and commands, written by the administrator.
     #[must_use]
     pub fn hooks(&self) -> PathBuf {

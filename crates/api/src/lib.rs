@@ -62,7 +62,7 @@ pub use link_problem::{LinkCause, LinkProblem};
 pub use message::{FromClient, Hello, ToClient};
 pub use near::{BoundedQuantity, NearLimit, NearView};
 pub use not_built::NotBuilt;
-pub use notice::{News, Notice};
+pub use notice::{Heard, News, Notice};
 pub use path_preview::{JobPath, PathPreview};
 #[cfg(feature = "remote")]
 pub use private::write_private;

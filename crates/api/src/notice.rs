@@ -1,5 +1,7 @@
 //! Notices of events.
 
+use std::fmt;
+
 use dobot_wire::Dialect;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -18,6 +20,38 @@ pub struct Notice {
     pub news: News,
     /// The event as one line of text.
     pub text: String,
+}
+
+/// What was understood of something that was said.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "what", rename_all = "snake_case", deny_unknown_fields)]
+pub enum Heard {
+    /// An order. It waits for "go".
+    Order {
+        /// Its words, as in a voice command.
+        #[schemars(length(max = 40))]
+        words: String,
+    },
+    /// "Go": do what was said last.
+    Go,
+    /// "No": forget what was said last.
+    No,
+    /// "Stop".
+    Stop,
+    /// Nothing that is an order.
+    Nothing,
+}
+
+impl fmt::Display for Heard {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Order { words } => write!(f, "{words}; go?"),
+            Self::Go => f.write_str("go"),
+            Self::No => f.write_str("no"),
+            Self::Stop => f.write_str("stop"),
+            Self::Nothing => f.write_str("no order was understood"),
+        }
+    }
 }
 
 /// The kinds of events.
@@ -47,7 +81,16 @@ pub enum News {
         /// The command number.
         command: u64,
     },
-    /// A command was accepted that follows from what a sense has located.
+    /// A microphone heard an order, which waits for a confirmation, or a word about it. Nothing
+    /// moves because of this notice.
+    Heard {
+        /// The client that holds a button to talk; absent for the listener's own microphone.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        client: Option<ClientId>,
+        /// What was understood.
+        heard: Heard,
+    },
+    /// A command from a sense was accepted.
     Sensed {
         /// The client.
         client: ClientId,

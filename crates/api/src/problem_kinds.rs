@@ -94,6 +94,8 @@ kinds! {
         "No token has this name. `/api/v1/tokens` lists all of them.";
     NO_SUCH_BUTTON = 404 "no-such-button" "there is no such button"
         "Nobody has added a button with this name to the page, or it was removed. `/api/v1/buttons` lists all of them.";
+    NO_LISTENER = 409 "no-listener" "nothing listens to what is said"
+        "Audio needs a listener next to the station: `python -m dobot_arm.listen`.";
     NO_FLEET = 404 "no-fleet" "this station belongs to no fleet"
         "A station joins a fleet when it is started with `dobot up --fleet`.";
     NO_SUCH_MEMBER = 404 "no-such-member" "the fleet has no such station"

@@ -1,10 +1,12 @@
 //! Requests to the station.
 
+use std::fmt;
+
 use dobot_wire::{Command, Dialect, JointJog, LinearJog};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::{Answer, Button, CalibrationFile, ClientId, NewJob, Role, TimeSlot};
+use crate::{Answer, Button, CalibrationFile, ClientId, Heard, NewJob, Role, TimeSlot};
 
 /// A request to the station.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -15,13 +17,22 @@ pub enum Request {
         /// The command.
         command: Command,
     },
-    /// Send a move to where a camera or another sense has located something, marked as such in log,
-    /// recording and notices. Only `move_to`: a sense never lights the laser.
+    /// Send a command that comes from a sense, marked as such in log, recording and notices. Each
+    /// sense has one: a camera `move_to`, a microphone `voice`, a hand `gesture`; none of them
+    /// lights the laser. A spoken order moves at most `voice.largest_mm` of the policy.
     SensedCommand {
         /// The sense.
         sense: Sense,
         /// The command.
         command: Command,
+    },
+    /// Publish what a microphone heard, before anything moves. No lease is needed.
+    Heard {
+        /// The client whose audio it was; absent for the listener's own microphone.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        client: Option<ClientId>,
+        /// What was understood.
+        heard: Heard,
     },
     /// Preview the path a command would take if it were sent now, or return why it would be
     /// refused. Nothing is sent and no notice is published. No lease is needed.
@@ -262,6 +273,7 @@ impl Request {
             | Self::SetSlots { .. } => Role::Admin,
             Self::Command { .. }
             | Self::SensedCommand { .. }
+            | Self::Heard { .. }
             | Self::Jog { .. }
             | Self::Release
             | Self::Step { .. }
@@ -294,8 +306,22 @@ impl Request {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Sense {
-    /// A camera.
+    /// A camera, which locates something.
     Camera,
+    /// A microphone, which hears an order.
+    Microphone,
+    /// A hand in front of a camera, which the arm follows.
+    Hand,
+}
+
+impl fmt::Display for Sense {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Camera => "camera",
+            Self::Microphone => "microphone",
+            Self::Hand => "hand",
+        })
+    }
 }
 
 /// A jog button.

@@ -152,6 +152,7 @@ fn place(text: &str) -> Result<Answer, String> {
             y_mm: *y_mm,
             z_mm: *z_mm,
             rotation_deg: rest.first().copied().unwrap_or(0.0),
+            sense: None,
         })),
         _ => Err(format!(
             "the position is {text:?}; allowed are x, y and z in mm, and the rotation in degrees, for example: 200 50 -20"
@@ -189,6 +190,7 @@ mod tests {
                 y_mm: -5.5,
                 z_mm: 0.0,
                 rotation_deg,
+                sense: None,
             })
         };
         assert_eq!(parse(&question, "200 -5.5 0\n"), Ok(place(0.0)));

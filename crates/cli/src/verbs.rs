@@ -11,6 +11,7 @@ mod decode;
 mod detect;
 mod doctor;
 mod draw;
+mod extras;
 mod files;
 mod fleet;
 mod hand;
@@ -61,6 +62,7 @@ pub(crate) enum Verb {
     Convert(convert::Args),
     Materials(materials::Args),
     Markers(markers::Args),
+    Extras(extras::Args),
     Model(model::Args),
     Arm(arm::Args),
     Status(status::Args),
@@ -121,6 +123,7 @@ impl Verb {
             Self::Convert(args) => convert::run(&args),
             Self::Materials(args) => materials::run(&args),
             Self::Markers(args) => markers::run(&args),
+            Self::Extras(args) => extras::run(args),
             Self::Model(args) => model::run(&args),
             Self::Arm(args) => wait_for(arm::run(args)),
             Self::Status(args) => wait_for(status::run(args)),

@@ -49,6 +49,6 @@ pub use policy::Policy;
 pub use policy_error::PolicyError;
 pub use sections::{
     AccelerationCeilings, ArmBody, JogRules, JointLimits, JumpRules, LaserRules, QueueRules,
-    SpeedCeilings, Table, ToolLengths, Workspace,
+    SpeedCeilings, Table, ToolLengths, VoiceRules, Workspace,
 };
 pub use violation::{Location, RejectedValue, Violation};

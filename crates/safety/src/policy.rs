@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::validate::{line_of, problem};
 use crate::{
     AccelerationCeilings, ArmBody, JogRules, JointLimits, JumpRules, KeepOut, LaserRules,
-    PolicyError, QueueRules, SpeedCeilings, Table, ToolLengths, Workspace,
+    PolicyError, QueueRules, SpeedCeilings, Table, ToolLengths, VoiceRules, Workspace,
 };
 
 /// The safety policy: what no client's command may do.
@@ -42,6 +42,8 @@ pub struct Policy {
     pub jog: JogRules,
     /// The rules for commands waiting in the arm.
     pub queue: QueueRules,
+    /// The rules for spoken orders.
+    pub voice: VoiceRules,
 }
 
 impl Policy {

@@ -172,6 +172,15 @@ section! {
     }
 }
 
+section! {
+    /// The rules for spoken orders.
+    VoiceRules {
+        /// The longest distance of one spoken order, in mm: 1 to 1000. It may have been
+        /// misunderstood.
+        largest_mm: f64 = 50.0,
+    }
+}
+
 impl ToolLengths {
     /// Returns how far the tip of this tool is below the wrist, in mm.
     #[must_use]

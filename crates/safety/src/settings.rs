@@ -33,6 +33,22 @@ impl Policy {
         }
     }
 
+    /// Checks the distance of a spoken order, which may have been misunderstood.
+    ///
+    /// # Errors
+    ///
+    /// [`Violation`] of the rule `voice.largest`.
+    pub fn check_spoken(&self, distance_mm: f64) -> Result<(), Violation> {
+        let most_mm = self.voice.largest_mm;
+        at_most(
+            "voice.largest",
+            "the distance of a spoken order",
+            distance_mm,
+            most_mm,
+            " mm",
+        )
+    }
+
     fn check_configuration(
         &self,
         configuration: &Configuration,

@@ -98,7 +98,7 @@ fn spans(policy: &Policy) -> [(&'static str, Bounds, Bounds); 9] {
 }
 
 /// Numbers and their ranges.
-fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 24] {
+fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 25] {
     let Policy {
         table,
         tool_length,
@@ -109,6 +109,7 @@ fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 24] {
         laser,
         jog,
         queue,
+        voice,
         ..
     } = policy;
     let within = Bounds::new;
@@ -165,6 +166,7 @@ fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 24] {
         ("jog.reaction_s", jog.reaction_s, within(0.05, 2.0)),
         ("queue.ahead_s", queue.ahead_s, within(0.0, 60.0)),
         ("queue.line_s", queue.line_s, within(0.5, 3600.0)),
+        ("voice.largest_mm", voice.largest_mm, within(1.0, 1000.0)),
     ]
 }
 

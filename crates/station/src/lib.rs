@@ -35,6 +35,7 @@
 
 mod bridge;
 mod config;
+mod extras;
 #[cfg(test)]
 mod fake;
 mod fleet;
@@ -55,6 +56,7 @@ mod virtual_arms;
 mod virtual_port;
 
 pub use config::{Config, DEFAULT_HTTP, DEFAULT_RAW, TlsFiles};
+pub use extras::{EXTRAS, Extra, ExtraError, HANDS};
 pub use fleet::{
     FleetAsk, FleetChannels, FleetCommand, FleetPort, Members, NewWork, OFFERS, UNSETTLED,
     WorkCommand, work_hurdle,

@@ -18,6 +18,7 @@ mod outgoing_events;
 mod plan;
 mod request;
 mod run;
+mod senses;
 mod slots;
 mod stop_latch;
 mod stop_sequence;

@@ -267,6 +267,7 @@ pub const EXAMPLE_PLACE: GivenPlace = GivenPlace {
     y_mm: 0.0,
     z_mm: 0.0,
     rotation_deg: 0.0,
+    sense: None,
 };
 /// The largest number of paths that are checked.
 const MAX_PATHS: usize = 100;

@@ -33,9 +33,12 @@ export function mousePacket([right, down], arm, swings, lift = 0) {
  * @param {{ far: number, left: number, z_mm: number, grab: boolean }} hand @param {Gesture} scale as the station serves it
  * @returns {Command}
  */
-export function gesturePacket({ far, left, z_mm, grab }, { x, y, z }) {
+export const gesturePacket = ({ far, left, z_mm, grab }, scale) => gestureAt({ x_mm: 230 + 60 * far, y_mm: 90 * left, z_mm }, grab, scale);
+
+/** Returns the gesture packet for a position. @param {{ x_mm: number, y_mm: number, z_mm: number }} place @param {boolean} grab @param {Gesture} scale @returns {Command} */
+export function gestureAt({ x_mm, y_mm, z_mm }, grab, { x, y, z }) {
   const units = (/** @type {number} */ mm, /** @type {Gesture["x"]} */ { zero_mm, units_per_mm }) => units_per_mm * (mm - zero_mm);
-  return { type: "gesture", x: units(230 + 60 * far, x), y: units(90 * left, y), z: units(z_mm, z), grab };
+  return { type: "gesture", x: units(x_mm, x), y: units(y_mm, y), z: units(z_mm, z), grab };
 }
 
 /**
@@ -45,8 +48,9 @@ export function gesturePacket({ far, left, z_mm, grab }, { x, y, z }) {
  * @param {import("../station/socket.js").Socket} outside.socket
  * @param {() => Command | null} outside.next the packet to send now, or null
  * @param {(detail: string) => void} outside.refused
+ * @param {"hand"} [outside.sense] where the packets come from, if not from a pointer
  */
-export function createStream({ store, socket, next, refused }) {
+export function createStream({ store, socket, next, refused, sense }) {
   let isHeld = false;
   /** Requested and in-flight packets. @type {Set<number>} */ const inFlight = new Set();
   let pending = 0;
@@ -57,7 +61,7 @@ export function createStream({ store, socket, next, refused }) {
       const command = next();
       if (!command) return;
       pending += 1;
-      const { problem, reply } = await socket.ask({ type: "command", command });
+      const { problem, reply } = await socket.ask(sense ? { type: "sensed_command", sense, command } : { type: "command", command });
       pending -= 1;
       if (problem) {
         isHeld = false;

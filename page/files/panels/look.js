@@ -2,7 +2,7 @@
 
 import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
-import { HUES, hasCup, lookBlockedReason, spotInPicture, thingsOf } from "../state/look.js";
+import { HUES, MARKER_MM, hasCup, lookBlockedReason, spotInPicture, thingsOf } from "../state/look.js";
 import { onSheet } from "../vision/geometry.js";
 import { unlessFocused } from "../parts/unless_focused.js";
 
@@ -77,7 +77,7 @@ function things(context) {
   const { page, t, act } = context;
   const all = thingsOf(page.look);
   const why = lookBlockedReason(page);
-  const row = (/** @type {Thing} */ { name, marker, x_mm, y_mm, turn_deg, height_mm }) => {
+  const row = (/** @type {Thing} */ { name, marker, x_mm, y_mm, turn_deg, height_mm, measured_mm }) => {
     const label = marker === null ? t(/** @type {"look.hue.red"} */ (`look.hue.${name}`)) : t("look.marker", { number: marker });
     return html`
       <li class="entry" data-thing=${name}>
@@ -85,6 +85,7 @@ function things(context) {
         <div class="row">
           <label class="field"><span>${t("look.height")} <small>mm</small></span><input type="number" min="0" max="150" step="any" .value=${unlessFocused(height_mm === null ? "" : String(height_mm))}
             @change=${(/** @type {Event} */ event) => setHeight(name, /** @type {HTMLInputElement} */ (event.target))}></label>
+          ${height_mm === null && measured_mm !== null ? html`<button type="button" class="small" data-act="measure" title=${t("look.measured.hint", { side: MARKER_MM })} @click=${() => act.send({ type: "look_height", name, height_mm: Math.round(measured_mm) })}>${t("look.measured", { mm: measured_mm.toFixed(0) })}</button>` : nothing}
           <button type="button" class="small strong" data-act="pick" ?disabled=${why !== null || height_mm === null || !hasCup(page)} @click=${() => act.look.pick(name)}>${t("look.pick")}</button>
         </div>
       </li>`;

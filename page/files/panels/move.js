@@ -2,6 +2,7 @@
 
 import { html } from "../vendor/lit-html/lit-html.js";
 import { buttons } from "./buttons.js";
+import { hands } from "./hands.js";
 import { jogPanel } from "./jog.js";
 import { pads } from "./pads.js";
 import { speeds } from "./speeds.js";
@@ -10,4 +11,4 @@ import { tools } from "./tools.js";
 import { voice } from "./voice.js";
 
 /** @param {import("../views/context.js").Context} context */
-export const move = (context) => html`${jogPanel(context)}${buttons(context)}${targetPanel(context)}${tools(context)}${pads(context)}${speeds(context)}${voice(context)}`;
+export const move = (context) => html`${jogPanel(context)}${buttons(context)}${targetPanel(context)}${tools(context)}${pads(context)}${speeds(context)}${voice(context)}${hands(context)}`;

@@ -16,6 +16,10 @@ export const LEAST_TOUCHES = 4;
 /** A higher block is none that stands on a sheet, in mm. */
 export const HIGHEST_BLOCK_MM = 100;
 
+/** Calibration from a photo: the angles of the arm at each drawn cross, and how far it is. @typedef {{ drawn: readonly (readonly number[])[], state: "none" | "draws" | "interrupted" | "drawn" | "looks" | "few_corners" | "few_crosses" | "unreadable" | "taken", found: number }} Photo */
+/** @type {Photo} */
+const NO_PHOTO = { drawn: [], state: "none", found: 0 };
+
 /**
  * @typedef {object} Calibrate
  * @property {Schemas["Calibrations"] | null} known
@@ -31,11 +35,12 @@ export const HIGHEST_BLOCK_MM = 100;
  * @property {Problem | null} problem Why the fit failed.
  * @property {boolean} tool_measured Whether the person has measured the tool and found it where the fit puts it.
  * @property {CalibrationFile | null} shown The calibration under review.
+ * @property {Photo} photo
  * @property {number} lost Number of points discarded by the last reset of the arm.
  */
 
 /** @type {Calibrate} */
-export const NO_CALIBRATE = { known: null, sheet: null, number: "", bar: "", print: null, bar_refused: null, block: "", visits: [], revision: 0, fit: null, problem: null, tool_measured: false, shown: null, lost: 0 };
+export const NO_CALIBRATE = { known: null, sheet: null, number: "", bar: "", print: null, bar_refused: null, block: "", visits: [], revision: 0, fit: null, problem: null, tool_measured: false, shown: null, photo: NO_PHOTO, lost: 0 };
 
 /** @typedef {{ type: "calibrations", known: Schemas["Calibrations"] }
  * | { type: "calibrate_begun", sheet: Schemas["SheetPoints"] }
@@ -48,6 +53,8 @@ export const NO_CALIBRATE = { known: null, sheet: null, number: "", bar: "", pri
  * | { type: "calibrate_visited", raw_deg: readonly number[] | null }
  * | { type: "calibrate_back" }
  * | { type: "calibrate_fitted", revision: number, fit: Schemas["FitReport"] | null, problem: Problem | null }
+ * | { type: "photo_set", set: Partial<Photo> }
+ * | { type: "photo_taken", touches: readonly { place_mm: readonly [number, number], raw_deg: readonly number[] }[] }
  * | { type: "calibrate_shown" }} CalibrateMessage */
 
 /** The point to touch next, counted from 0; after the last one of the sheet the first again. @param {Calibrate} calibrate */
@@ -129,7 +136,8 @@ const visited = (calibrate, visits) => ({ ...calibrate, visits, revision: calibr
 /** An arm whose pose is not trusted has a new base zero. @param {Calibrate} calibrate @param {import("./types.js").Station} station */
 function heard(calibrate, station) {
   const lost = touchesOf(calibrate).length;
-  return station.trust.trusted || lost === 0 ? calibrate : { ...visited(calibrate, []), lost };
+  if (station.trust.trusted || (lost === 0 && calibrate.photo.drawn.length === 0)) return calibrate;
+  return { ...visited(calibrate, []), photo: NO_PHOTO, lost };
 }
 
 /** @param {Calibrate} calibrate @param {import("./message.js").Message} message @returns {Calibrate} */
@@ -158,6 +166,14 @@ export function reduceCalibrate(calibrate, message) {
       return visits.length ? visited(calibrate, visits.slice(0, -1)) : calibrate;
     case "calibrate_fitted":
       return message.revision === revision ? { ...calibrate, fit: message.fit, problem: message.problem } : calibrate;
+    case "photo_set":
+      return { ...calibrate, photo: { ...calibrate.photo, ...message.set } };
+    case "photo_taken": {
+      // The crosses are the points now.
+      const { touches } = message, points_mm = touches.map(({ place_mm: [x, y] }) => /** @type {[number, number]} */ ([x, y]));
+      const taken = visited(calibrate, touches.map(({ raw_deg }, point) => ({ point, raw_deg, height_mm: 0 })));
+      return { ...taken, sheet: calibrate.sheet && { ...calibrate.sheet, points_mm }, photo: { ...calibrate.photo, state: "taken", found: touches.length } };
+    }
     case "calibrate_shown":
       return { ...calibrate, shown: calibrate.fit?.calibration ?? null };
     case "state":

@@ -1,17 +1,19 @@
 // What the camera sees, and what a person does with it. Nothing moves without a person's click, or a program that asks.
 
-import { inPicture, onSheet, placeOfMarker } from "../vision/geometry.js";
+import { heightOfMarker, inPicture, onSheet, placeOfMarker } from "../vision/geometry.js";
 import { paperOf } from "./paper.js";
 import { blockedReason, mountedTool } from "./selectors.js";
 
 /** @typedef {import("./state.js").Page} Page */
 /** @typedef {import("../vision/look.js").Seen} Seen */
 /** @typedef {import("../vision/geometry.js").Place} Place */
-/** An object that is seen: one with a marker, or a blob of the chosen colour. Its height is unknown until a person gives it. @typedef {Place & { name: string, marker: number | null, height_mm: number | null }} Thing */
+/** An object that is seen: one with a marker, or a blob of the chosen colour. Its height is unknown until a person gives it, or accepts the one measured by the size of its marker. @typedef {Place & { name: string, marker: number | null, height_mm: number | null, measured_mm: number | null }} Thing */
 /** Why nothing can be done with the picture: the end of a text key. @typedef {"no_picture" | "few_corners" | "blurred" | "sheet_moved"} UnseenReason */
 
 /** The height above what it goes to, before a person sends the tool down. */
 export const ABOVE_MM = 25;
+/** The side of the markers that `dobot markers` prints, if not asked for another one. */
+export const MARKER_MM = 20;
 /** The hues that can be looked for, in degrees. */
 export const HUES = /** @type {const} */ ({ red: 0, yellow: 55, green: 130, blue: 225 });
 
@@ -74,11 +76,11 @@ export function thingsOf({ seen, heights, hue }) {
   /** @type {Thing[]} */
   const things = markers.filter(({ id }) => id > 3).map((marker) => {
     const name = `marker ${marker.id}`;
-    return { name, marker: marker.id, height_mm: known(name), ...placeOfMarker(view, marker, known(name) ?? 0) };
+    return { name, marker: marker.id, height_mm: known(name), measured_mm: heightOfMarker(view, marker, MARKER_MM), ...placeOfMarker(view, marker, known(name) ?? 0) };
   });
   if (blob && hue) {
     const [x_mm, y_mm] = onSheet(view, blob, known(hue) ?? 0);
-    things.push({ name: hue, marker: null, height_mm: known(hue), x_mm, y_mm, turn_deg: 0 });
+    things.push({ name: hue, marker: null, height_mm: known(hue), measured_mm: null, x_mm, y_mm, turn_deg: 0 });
   }
   return things.sort((a, b) => (a.name < b.name ? -1 : 1));
 }

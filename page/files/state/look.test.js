@@ -26,6 +26,13 @@ test("objects are the markers that are not the sheet's, at their heights", () =>
   assert.ok(Math.abs(high.x_mm - 182) < 0.01 && Math.abs(high.y_mm - 72) < 0.01);
 });
 
+test("the height of a marker follows from its size, if it is as large as printed", () => {
+  // 20 mm seem 22 mm where the camera is a tenth farther away than the marker.
+  const size = (side) => ({ id: 7, corners: [[230, 250], [230 + side, 250], [230 + side, 250 + side], [230, 250 + side]] });
+  const [flat, high] = [20, 22].map((side) => thingsOf(looks({ ...seen(), markers: [size(side)] }))[0].measured_mm);
+  assert.ok(flat < 0.01 && Math.abs(high - 400 / 11) < 0.01, `${flat}, ${high}`);
+});
+
 test("a moved sheet, hidden corners and blur prevent that anything moves; glare and a moved camera do not", () => {
   const page = (troubles) => ({ look: looks(seen(troubles)), connection: "closed", station: null, draw: { paper: null }, around: null });
   for (const trouble of ["sheet_moved", "few_corners", "blurred"]) assert.equal(lookBlockedReason(page([trouble])), `look.${trouble}`);

@@ -41,6 +41,8 @@
  * | import("./jog.js").JogMessage
  * | import("./jobs.js").JobsMessage
  * | import("./look.js").LookMessage
+ * | import("./hands.js").HandsMessage
+ * | import("./talk.js").TalkMessage
  * | import("./recordings.js").RecordingsMessage
  * | import("./packets.js").PacketsMessage
  * | import("./draw.js").DrawMessage

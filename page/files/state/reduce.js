@@ -5,6 +5,7 @@ import { reduceAlerts } from "./alerts.js";
 import { reduceCalibrate } from "./calibrate.js";
 import { reduceDraw } from "./draw.js";
 import { reduceFiles } from "./files.js";
+import { reduceHands } from "./hands.js";
 import { reduceHistory } from "./history.js";
 import { reduceJobs } from "./jobs.js";
 import { reduceJog } from "./jog.js";
@@ -13,6 +14,7 @@ import { reduceLook } from "./look.js";
 import { reducePackets } from "./packets.js";
 import { reduceRecordings } from "./recordings.js";
 import { reduceSetUp } from "./set_up.js";
+import { reduceTalk } from "./talk.js";
 import { reduceTarget } from "./target.js";
 import { reduceTeach } from "./teach.js";
 import { reduceTouchPaper } from "./touch_paper.js";
@@ -39,11 +41,13 @@ export function reduce(page, message) {
   const touch_paper = reduceTouchPaper(next.touch_paper, message);
   const jobs = reduceJobs(next.jobs, message);
   const look = reduceLook(next.look, message);
+  const hands = reduceHands(next.hands, message);
+  const talk = reduceTalk(next.talk, message, next);
   const recordings = reduceRecordings(next.recordings, message);
   const packets = reducePackets(next.packets, message);
   const history = reduceHistory(next.history, message);
-  const isSame = jog === next.jog && target === next.target && buttons === next.buttons && calibrate === next.calibrate && draw === next.draw && alerts === next.alerts && files === next.files && learn === next.learn && set_up === next.set_up && teach === next.teach && touch_paper === next.touch_paper && jobs === next.jobs && look === next.look && recordings === next.recordings && packets === next.packets && history === next.history;
-  return isSame ? next : { ...next, jog, target, buttons, calibrate, draw, alerts, files, learn, set_up, teach, touch_paper, jobs, look, recordings, packets, history };
+  const isSame = jog === next.jog && target === next.target && buttons === next.buttons && calibrate === next.calibrate && draw === next.draw && alerts === next.alerts && files === next.files && learn === next.learn && set_up === next.set_up && teach === next.teach && touch_paper === next.touch_paper && jobs === next.jobs && look === next.look && talk === next.talk && hands === next.hands && recordings === next.recordings && packets === next.packets && history === next.history;
+  return isSame ? next : { ...next, jog, target, buttons, calibrate, draw, alerts, files, learn, set_up, teach, touch_paper, jobs, look, talk, hands, recordings, packets, history };
 }
 
 /** @param {Page} page @param {Message} message @returns {Page} */

@@ -5,6 +5,7 @@ import { NO_ALERTS } from "./alerts.js";
 import { NO_CALIBRATE } from "./calibrate.js";
 import { NO_DRAW } from "./draw.js";
 import { NO_FILES } from "./files.js";
+import { NO_HANDS } from "./hands.js";
 import { NO_HISTORY } from "./history.js";
 import { NO_JOBS } from "./jobs.js";
 import { NO_JOG } from "./jog.js";
@@ -13,6 +14,7 @@ import { NO_LOOK } from "./look.js";
 import { NO_PACKETS } from "./packets.js";
 import { NO_RECORDINGS } from "./recordings.js";
 import { NO_SET_UP } from "./set_up.js";
+import { NO_TALK } from "./talk.js";
 import { NO_TARGET } from "./target.js";
 import { NO_TEACH } from "./teach.js";
 import { NO_TOUCH_PAPER } from "./touch_paper.js";
@@ -74,6 +76,8 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {import("./files.js").Files} files
  * @property {import("./learn.js").Learn} learn
  * @property {import("./look.js").Look} look
+ * @property {import("./talk.js").Talk} talk
+ * @property {import("./hands.js").Hands} hands
  * @property {import("./jobs.js").Jobs} jobs
  * @property {import("./recordings.js").Recordings} recordings
  * @property {import("./packets.js").Packets} packets
@@ -126,6 +130,8 @@ export const begin = ({ language, theme, greeted, program, name = null }) => ({
   files: NO_FILES,
   learn: NO_LEARN,
   look: NO_LOOK,
+  talk: NO_TALK,
+  hands: NO_HANDS,
   jobs: NO_JOBS,
   recordings: NO_RECORDINGS,
   packets: NO_PACKETS,

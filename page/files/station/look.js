@@ -1,6 +1,7 @@
 // The camera: asked for when the view opens, off when it closes. A worker looks at its pictures. Moves to what was seen go to the
 // station marked as the camera's; it checks them like all others.
 
+import { isSecure, refusalOf, stopTracks } from "./media.js";
 import { ABOVE_MM, HUES, askedThing, lookBlockedReason, paperHeight, thingsOf } from "../state/look.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
@@ -65,22 +66,21 @@ export function createLook(store, http, socket, jobs) {
     if (!job || !thing || paper_mm === null || steady.length < STEADY || steady.some((other) => other.name !== thing.name || Math.hypot(other.x_mm - thing.x_mm, other.y_mm - thing.y_mm) > STEADY_MM)) return;
     steady = [];
     const { x_mm, y_mm, turn_deg } = thing;
-    void socket.ask({ type: "answer_job", job: job.job, answer: { place: { name: thing.name, x_mm, y_mm, z_mm: paper_mm + (thing.height_mm ?? 0), rotation_deg: turn_deg } } });
+    void socket.ask({ type: "answer_job", job: job.job, answer: { place: { name: thing.name, x_mm, y_mm, z_mm: paper_mm + (thing.height_mm ?? 0), rotation_deg: turn_deg, sense: "camera" } } });
   }
 
   async function open() {
     close();
     const mine = (openings += 1);
     const { mediaDevices } = navigator;
-    // Browsers give a camera only to this machine or over an encrypted connection.
-    if (!mediaDevices) return send({ type: "look_camera", camera: "off", refused: "insecure" });
+    if (!isSecure()) return send({ type: "look_camera", camera: "off", refused: "insecure" });
     send({ type: "look_camera", camera: "asking" });
     const { chosen } = store.page.look;
     try {
       /** @type {import("../state/types.js").Schemas["SheetPoints"] | undefined} */
       const sheet = await http.json("api/v1/calibration/points");
       const own = await mediaDevices.getUserMedia({ video: { width: { ideal: WIDTH }, ...(chosen && { deviceId: { exact: chosen } }) }, audio: false });
-      if (mine !== openings) return own.getTracks().forEach((track) => track.stop());
+      if (mine !== openings) return stopTracks(own);
       if (!sheet) return send({ type: "look_camera", camera: "off", refused: "no_connection" });
       stream = own;
       const [track] = own.getVideoTracks();
@@ -104,8 +104,7 @@ export function createLook(store, http, socket, jobs) {
     } catch (error) {
       if (mine !== openings) return;
       close();
-      const { name, message } = /** @type {DOMException} */ (error);
-      send({ type: "look_camera", camera: "off", refused: name === "NotAllowedError" ? "not_allowed" : name === "NotFoundError" ? "none" : message });
+      send({ type: "look_camera", camera: "off", refused: refusalOf(error) });
     }
   }
 
@@ -113,7 +112,7 @@ export function createLook(store, http, socket, jobs) {
     openings += 1;
     clearTimeout(timer);
     worker?.terminate();
-    stream?.getTracks().forEach((track) => track.stop());
+    stopTracks(stream);
     [worker, stream, video.srcObject, times, steady] = [null, null, null, [], []];
   }
 

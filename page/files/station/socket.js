@@ -138,6 +138,8 @@ export function createSocket({ store, http }) {
     connect,
     isOpen,
     ask,
+    /** Sends a piece of sound to the listener next to the station; empty at its end. @param {ArrayBuffer} pcm */
+    sendAudio: (pcm) => socket?.sendAudio(pcm),
     takeControlIfFree,
     /** Reconnects, under the current name. */
     again: () => isOpen() && reconnect(),

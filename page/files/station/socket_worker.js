@@ -2,7 +2,7 @@
 
 import { REPEAT_MS, createKeepAlive } from "./keep_alive.js";
 
-/** @typedef {{ number: number, open: { url: string, protocols: string[] } } | { number: number, close: true } | { number: number, text: string, id: number, hold: import("./keep_alive.js").Hold | null, ends: boolean }} ToWorker */
+/** @typedef {{ number: number, open: { url: string, protocols: string[] } } | { number: number, close: true } | { number: number, pcm: ArrayBuffer } | { number: number, text: string, id: number, hold: import("./keep_alive.js").Hold | null, ends: boolean }} ToWorker */
 /** @typedef {{ number: number, type: "open" } | { number: number, type: "message", data: string } | { number: number, type: "close", code: number, reason: string } | { number: number, type: "released", id: number }} FromWorker */
 
 /** @type {WebSocket | undefined} */ let socket;
@@ -34,6 +34,7 @@ addEventListener("message", (/** @type {MessageEvent<ToWorker>} */ { data }) => 
     keepAlive.end();
     return socket.close();
   }
+  if ("pcm" in data) return void (socket.readyState === WebSocket.OPEN && socket.send(data.pcm));
   if (data.ends) keepAlive.end();
   if (data.hold === null) socket.readyState === WebSocket.OPEN && socket.send(data.text);
   else if (!keepAlive.press(data.hold, data.text, performance.now())) post({ number: data.number, type: "released", id: data.id });

@@ -6,6 +6,7 @@
  * @typedef {object} Connection
  * @property {() => boolean} isOpen
  * @property {(text: string, id: number, hold: import("./keep_alive.js").Hold | null, ends: boolean) => void} send
+ * @property {(pcm: ArrayBuffer) => void} sendAudio
  * @property {() => void} close
  */
 
@@ -46,6 +47,7 @@ export function createThreadedSocket() {
     return {
       isOpen: () => isOpen,
       send: (text, id, hold, ends) => post({ number: mine, text, id, hold, ends }),
+      sendAudio: (pcm) => worker.postMessage(/** @type {ToWorker} */ ({ number: mine, pcm }), [pcm]),
       close: () => post({ number: mine, close: true }),
     };
   };

@@ -7,6 +7,7 @@
  * @property {import("../actions.js").Actions} act
  * @property {import("../input/jog.js").JogInput} jog
  * @property {import("../input/pads.js").Pads} pads
+ * @property {import("../station/hands.js").HandsRequests} hands
  * @property {() => void} connect
  * @property {(preset: import("../stage/view.js").Preset) => void} look
  */

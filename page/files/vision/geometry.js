@@ -159,3 +159,10 @@ export function placeOfMarker(view, { corners }, height_mm) {
   const ahead = (/** @type {0 | 1} */ axis) => at[0][axis] + at[1][axis] - at[2][axis] - at[3][axis];
   return { x_mm: mean(0), y_mm: mean(1), turn_deg: (Math.atan2(ahead(1), ahead(0)) * 180) / Math.PI };
 }
+
+/** How high a marker is above the sheet, by its size: what is nearer to the camera seems larger. In mm, 0 at least. @param {SheetView} view @param {Found} marker @param {number} side_mm its true side */
+export function heightOfMarker(view, { corners }, side_mm) {
+  const at = corners.map((corner) => onSheet(view, corner));
+  const seen_mm = at.reduce((sum, [x, y], n) => sum + Math.hypot(at[(n + 1) % 4][0] - x, at[(n + 1) % 4][1] - y) / 4, 0);
+  return Math.max(0, view.camera_mm[2] * (1 - side_mm / seen_mm));
+}

@@ -23,6 +23,7 @@ use crate::http::resources::custom_buttons::CustomButtons;
 use crate::http::resources::drawings::Drawings;
 use crate::http::resources::files::{FileView, StoredFiles};
 use crate::http::resources::recordings::Recordings;
+use crate::http::resources::talk::Talk;
 use crate::http::serve::listen::ConnectionSlot;
 use crate::{ArmsPort, FleetPort};
 
@@ -48,6 +49,10 @@ pub(super) struct App {
     pub(super) drawings: Drawings,
     pub(super) recordings: Recordings,
     pub(super) buttons: CustomButtons,
+    /// The folder of the optional parts of the page.
+    pub(super) extras: PathBuf,
+    /// What people say to the listener.
+    pub(super) talk: Talk,
     /// The stored drawings, photos and programs.
     pub(super) files: StoredFiles,
     /// The tools for agents.
@@ -91,6 +96,8 @@ pub(super) struct AppFiles {
     pub(super) buttons: PathBuf,
     /// The folder of the stored files.
     pub(super) stored: PathBuf,
+    /// The folder of the optional parts of the page.
+    pub(super) extras: PathBuf,
 }
 
 impl App {
@@ -116,6 +123,8 @@ impl App {
             drawings: Drawings::default(),
             recordings: Recordings::new(files.recordings),
             buttons: CustomButtons::at(files.buttons),
+            talk: Talk::default(),
+            extras: files.extras,
             files: StoredFiles::new(files.stored),
             agents: HttpAgents::new(reach.own),
             learners: Mutex::default(),

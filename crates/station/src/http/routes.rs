@@ -8,6 +8,7 @@ mod arm;
 mod calibration;
 mod custom_buttons;
 mod drawings;
+mod extras;
 mod files;
 mod fleet;
 mod jobs;
@@ -17,6 +18,7 @@ mod motion;
 mod observing;
 mod programs;
 mod recordings;
+mod talk;
 mod tokens;
 mod virtual_arm;
 mod watching;
@@ -74,9 +76,11 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         jobs::all(),
         programs::all(),
         custom_buttons::all(),
+        talk::all(),
         recordings::all(),
         drawings::all(),
         files::all(),
+        extras::all(),
         tokens::all(),
         addresses::all(),
         virtual_arm::all(),

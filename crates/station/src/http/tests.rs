@@ -112,6 +112,7 @@ impl Harness {
                 recordings: folder.path().join("recordings"),
                 buttons: folder.path().join("buttons.json"),
                 stored: folder.path().join("files"),
+                extras: folder.path().join("extras"),
             },
             Some(own_virtual_arm()),
             ending,

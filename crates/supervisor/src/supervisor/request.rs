@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_api::{
-    Button, Calibrations, ClientId, Device, Jog, News, Reply, Request, Role, Sense, TimeSlot,
+    Button, Calibrations, ClientId, Device, Jog, News, Reply, Request, Role, TimeSlot,
 };
 use dobot_arm::{Degrees, Pose, Position};
 use dobot_safety::Policy;
@@ -243,6 +243,10 @@ impl Supervisor {
             Request::SensedCommand { sense, command } => {
                 self.sensed_command(client, sense, &command)
             }
+            Request::Heard {
+                client: talker,
+                heard,
+            } => self.publish_heard(client, talker, heard),
             Request::Jog { jog } => self.jog(client, jog, self.arm.policy().jog.dead_man_s),
             Request::Release => {
                 self.leases.check(client)?;
@@ -306,39 +310,6 @@ impl Supervisor {
                 "this request is not accepted here".into(),
             )),
         }
-    }
-
-    /// Sends a move that follows from what a sense has located, and publishes where it comes from.
-    fn sensed_command(
-        &mut self,
-        client: ClientId,
-        sense: Sense,
-        command: &Command,
-    ) -> Result<Reply, Refusal> {
-        let Command::MoveTo(to) = command else {
-            return Err(Refusal::Malformed(
-                "a sense may only move the arm; the command has to be move_to".into(),
-            ));
-        };
-        let (x_mm, y_mm, z_mm) = (to.x_mm, to.y_mm, to.z_mm);
-        let raw = self.arm.raw_command(command)?;
-        let reply = self.command(client, &raw)?;
-        if let Reply::Accepted { command, .. } = reply {
-            let name = match sense {
-                Sense::Camera => "camera",
-            };
-            let text = format!(
-                "{}: {name}: move to x {x_mm:.1} y {y_mm:.1} z {z_mm:.1}",
-                self.client_name(client)
-            );
-            let news = News::Sensed {
-                client,
-                sense,
-                command,
-            };
-            self.notify(news, text);
-        }
-        Ok(reply)
     }
 
     fn stop_arm(&mut self, client: ClientId, reason: Option<String>) -> Reply {

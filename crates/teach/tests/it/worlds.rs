@@ -222,6 +222,7 @@ fn parts_are_picked_up_where_they_are_seen() {
             y_mm: 80.0,
             z_mm: -35.0,
             rotation_deg,
+            sense: None,
         })
     });
     let [yes, no] = ["yes", "no"].map(|answer| Answer::Choice(answer.to_owned()));

@@ -2,9 +2,10 @@
 
 import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";
-import { HIGHEST_BLOCK_MM, LEAST_TOUCHES, nextPoint, numbersOf, pointBlockedReason, touchesOf } from "../../state/calibrate.js";
+import { HIGHEST_BLOCK_MM, LEAST_TOUCHES, nextPoint, numbersOf, pointBlockedReason, touchBlockedReason, touchesOf } from "../../state/calibrate.js";
 import { blockedReason } from "../../state/selectors.js";
 import { problemText } from "../../i18n/problem_text.js";
+import { CROSSES } from "../../vision/crosses.js";
 import { refusal } from "./arm.js";
 
 /** @typedef {import("../../views/context.js").Context} Context */
@@ -157,11 +158,32 @@ function touching(context) {
       <input id="calibrate-block" class="length" type="number" min="0" max=${HIGHEST_BLOCK_MM} step="any" placeholder="0" aria-describedby="calibrate-why" .value=${live(block)} @input=${(/** @type {Event} */ event) => act.send({ type: "calibrate_block_typed", text: /** @type {HTMLInputElement} */ (event.target).value })}> mm
     </div>
     <p id="calibrate-why" class="quiet">${why ? t(`blocked.${why}`) : ""}</p>
+    ${photo(context)}
     ${lost ? html`<p id="calibrate-lost" class="status" data-tone="warn" role="alert">${t("calibrate.lost", { lost })}</p>` : nothing}
     ${problemOf(t, problem)}
     ${touches(context)}
     ${fit ? result(context, fit) : nothing}
     ${shown ? review(context, shown) : nothing}`;
+}
+
+/** Another way: crosses drawn by the arm, and a photo of them. @param {Context} context */
+function photo({ page, t, act }) {
+  const { drawn, state, found } = page.calibrate.photo;
+  const why = blockedReason(page) ?? touchBlockedReason(page);
+  const take = (/** @type {FileList | null | undefined} */ files) => files?.[0] && void act.photo.take(files[0]);
+  const isDrawn = drawn.length === CROSSES.length;
+  return html`
+    <details class="made" id="calibrate-photo" @dragover=${(/** @type {DragEvent} */ event) => event.preventDefault()}
+      @drop=${(/** @type {DragEvent} */ event) => (event.preventDefault(), event.stopPropagation(), take(event.dataTransfer?.files))}>
+      <summary>${t("photo")}</summary>
+      <p class="quiet">${t("photo.hint")}</p>
+      <div class="row">
+        <button id="photo-draw" type="button" class="small strong" ?disabled=${why !== null || state === "draws"} @click=${() => act.photo.draw()}>${t("photo.draw")}</button>
+        <label for="photo-file">${t("photo.take")}</label>
+        <input id="photo-file" type="file" accept="image/*" capture="environment" ?disabled=${!isDrawn || state === "looks"} @change=${(/** @type {Event} */ event) => take(/** @type {HTMLInputElement} */ (event.target).files)}>
+      </div>
+      <p id="photo-status" class="status" role="status" data-tone=${["few_corners", "few_crosses", "unreadable", "interrupted"].includes(state) ? "warn" : "off"}>${state === "none" ? (why ? t(`blocked.${why}`) : "") : t(`photo.${state}`, { drawn: drawn.length, found })}</p>
+    </details>`;
 }
 
 /** The recorded points and their errors. @param {Context} context */

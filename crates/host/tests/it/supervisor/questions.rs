@@ -109,6 +109,7 @@ fn place(x_mm: f64, y_mm: f64, z_mm: f64) -> Answer {
         y_mm,
         z_mm,
         rotation_deg,
+        sense: None,
     })
 }
 

@@ -1,11 +1,13 @@
-//! Commands that follow from what a camera has seen.
+//! Commands that come from a camera, a microphone or a hand.
 
 use std::time::Duration;
 
-use dobot_api::{News, Reply, Request, Sense};
+use dobot_api::{ClientId, Heard, News, Reply, Request, Sense};
 use dobot_controller::Personality;
+use dobot_host::VirtualStation;
+use dobot_safety::Policy;
 use dobot_supervisor::Refusal;
-use dobot_wire::{Command, MoveTo, MovingMode, WriteVector};
+use dobot_wire::{Command, Gesture, MoveTo, MovingMode, Voice, WriteVector};
 
 use super::drawing::virtual_station;
 use crate::cases::commands::target;
@@ -61,4 +63,93 @@ fn a_camera_moves_nothing_without_control_and_never_lights_the_laser() {
         refused.to_string().contains("has to be move_to"),
         "{refused}"
     );
+}
+
+fn spoken(station: &mut VirtualStation, client: ClientId, words: &str) -> Result<Reply, Refusal> {
+    let command = Voice::new(words).unwrap().into();
+    let sense = Sense::Microphone;
+    station.ask(client, Request::SensedCommand { sense, command })
+}
+
+#[test]
+fn a_spoken_order_moves_no_further_than_the_policy_allows() {
+    for personality in Personality::ALL {
+        let mut station = virtual_station(personality);
+        let anna = station.client("Anna");
+        station.ask(anna, Request::TakeLease).unwrap();
+        let refused = spoken(&mut station, anna, "left sixty").unwrap_err();
+        assert!(
+            refused.to_string().contains(
+                "the distance of a spoken order would be 60 mm; voice.largest allows 0 to 50 mm"
+            ),
+            "{refused}"
+        );
+        spoken(&mut station, anna, "left fifty").unwrap();
+        station.run_for(Duration::from_secs(5));
+        let policy = Policy::from_toml("[voice]\nlargest_mm = 5").unwrap();
+        station.set_policy(anna, policy).unwrap();
+        spoken(&mut station, anna, "right ten").unwrap_err();
+        spoken(&mut station, anna, "right five").unwrap();
+        let texts = station.notices();
+        let has = |text: &str| texts.iter().any(|notice| notice.text == text);
+        assert!(has("Anna: microphone: left fifty") && has("Anna: microphone: right five"));
+    }
+}
+
+#[test]
+fn each_sense_sends_only_its_own_command() {
+    let mut station = virtual_station(Personality::Specification);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
+    let hand = Gesture {
+        x: 220.0,
+        y: 0.0,
+        z: 40.0,
+        grab: false,
+    };
+    let commands: [(Sense, Command); 3] = [
+        (Sense::Camera, go([220.0, 30.0, 10.0])),
+        (Sense::Microphone, Voice::new("up five").unwrap().into()),
+        (Sense::Hand, hand.into()),
+    ];
+    let laser = WriteVector::by(0.0, 10.0, 0.0, 20.0).burning().into();
+    for (sense, _) in commands {
+        for (own, command) in commands.into_iter().chain([(Sense::Hand, laser)]) {
+            let asked = station.ask(anna, Request::SensedCommand { sense, command });
+            let is_allowed = sense == own && command != laser;
+            assert_eq!(asked.is_ok(), is_allowed, "{sense}: {command:?}: {asked:?}");
+            station.run_for(Duration::from_secs(5));
+        }
+    }
+}
+
+#[test]
+fn what_a_microphone_heard_is_shown_to_all_and_moves_nothing() {
+    let mut station = virtual_station(Personality::Specification);
+    let [anna, listener] = ["Anna", "listener"].map(|name| station.client(name));
+    let sent = station.packets().len();
+    let heard = Heard::Order {
+        words: "left ten".to_owned(),
+    };
+    let request = Request::Heard {
+        client: Some(anna),
+        heard: heard.clone(),
+    };
+    station.ask(listener, request).unwrap();
+    let client = Some(anna);
+    let notices = station.notices();
+    let shown = notices.iter().find(|notice| {
+        notice.news
+            == News::Heard {
+                client,
+                heard: heard.clone(),
+            }
+    });
+    assert_eq!(shown.unwrap().text, "Anna: microphone: left ten; go?");
+    assert_eq!(station.packets().len(), sent);
+    let heard = Heard::Order {
+        words: "left\u{202e}".to_owned(),
+    };
+    let refused = station.ask(listener, Request::Heard { client, heard });
+    assert!(matches!(refused, Err(Refusal::Malformed(_))), "{refused:?}");
 }

@@ -102,6 +102,10 @@ pub(crate) fn guarded(mut response: Response) -> Response {
     for (name, value) in GUARDS {
         headers.insert(name, HeaderValue::from_static(value));
     }
+    // A worker of the page may have its own.
+    headers
+        .entry(CONTENT_SECURITY_POLICY)
+        .or_insert(HeaderValue::from_static(SECURITY_POLICY));
     // The files of the page say themselves how long they may be kept.
     headers
         .entry(CACHE_CONTROL)
@@ -109,15 +113,13 @@ pub(crate) fn guarded(mut response: Response) -> Response {
     response
 }
 
-const GUARDS: [(HeaderName, &str); 6] = [
-    (
-        CONTENT_SECURITY_POLICY,
-        "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
-    ),
-    // The view Look asks for a camera when a person opens it.
+const SECURITY_POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+const GUARDS: [(HeaderName, &str); 5] = [
+    // The views Look and Talk ask for camera and microphone when a person opens them.
     (
         HeaderName::from_static("permissions-policy"),
-        "camera=(self), microphone=(), geolocation=(), display-capture=(), usb=(), serial=(), bluetooth=()",
+        "camera=(self), microphone=(self), geolocation=(), display-capture=(), usb=(), serial=(), bluetooth=()",
     ),
     (X_CONTENT_TYPE_OPTIONS, "nosniff"),
     (REFERRER_POLICY, "no-referrer"),

@@ -2,9 +2,10 @@
 
 use axum::body::Body;
 use axum::http::header::{
-    ACCEPT_ENCODING, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_TYPE, ETAG, IF_NONE_MATCH, VARY,
+    ACCEPT_ENCODING, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_SECURITY_POLICY, CONTENT_TYPE, ETAG,
+    IF_NONE_MATCH, VARY,
 };
-use axum::http::{HeaderMap, HeaderName, Method, StatusCode};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode};
 use axum::response::{IntoResponse, Response};
 use dobot_api::problem_kinds::INTERNAL;
 use dobot_page::{FILES, File};
@@ -22,7 +23,13 @@ pub(crate) fn has(path: &str) -> bool {
 }
 
 fn route(file: &'static File) -> Route {
-    let answer = move |headers: HeaderMap| async move { answer(file, &headers) };
+    let answer = move |headers: HeaderMap| async move {
+        let mut answer = answer(file, &headers)?;
+        if let Some(policy) = own_security_policy(file.path) {
+            answer.headers_mut().insert(CONTENT_SECURITY_POLICY, policy);
+        }
+        Ok::<_, RequestFailed>(answer)
+    };
     let kind = file.content_type;
     let essence = kind.split(';').next().unwrap_or(kind);
     let summary = "A page to watch and move the arm";
@@ -57,6 +64,14 @@ fn answer(file: &File, headers: &HeaderMap) -> Result<Response, RequestFailed> {
         .content()
         .map_err(|error| RequestFailed(INTERNAL.problem(error.to_string())))?;
     Ok((about, kind, Body::from(plain)).into_response())
+}
+
+/// Returns the security policy of a file that needs its own: the worker that looks for hands runs
+/// WebAssembly, and nothing else may.
+fn own_security_policy(path: &str) -> Option<HeaderValue> {
+    let policy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'";
+    path.ends_with("/vision/hands_worker.js")
+        .then_some(HeaderValue::from_static(policy))
 }
 
 /// Returns the items of a header that is a list.

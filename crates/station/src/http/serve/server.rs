@@ -119,6 +119,7 @@ pub async fn serve(web: &Web, handle: StationHandle) -> Result<Served, ServeErro
             recordings: web.folders.recordings(),
             buttons: web.folders.buttons(),
             stored: web.folders.files(),
+            extras: web.folders.extras(),
         },
         web.virtual_arm.clone(),
         ending,

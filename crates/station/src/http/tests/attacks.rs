@@ -279,7 +279,7 @@ async fn every_answer_has_the_headers_that_protect_browsers() {
         assert_eq!(answer.headers["x-content-type-options"], "nosniff");
         let allowed = answer.headers["permissions-policy"].to_str().unwrap();
         assert!(
-            allowed.starts_with("camera=(self), microphone=()"),
+            allowed.starts_with("camera=(self), microphone=(self), geolocation=()"),
             "{allowed}"
         );
         assert_eq!(answer.headers["referrer-policy"], "no-referrer");

@@ -1,6 +1,6 @@
 //! WebSockets on a real address.
 
-use dobot_api::{ClientId, Folders, News, Request, Role};
+use dobot_api::{ClientId, Folders, News, Request, Role, StationAddress, fetch};
 use futures_util::{SinkExt, StreamExt};
 use serde_json::{Value, json};
 use tokio::net::TcpStream;
@@ -160,7 +160,7 @@ async fn refused_and_invalid_messages_are_answered_with_a_problem() {
         (answer.get("id"), &answer["problem"]["status"]),
         (None, &json!(400))
     );
-    socket.send(Message::binary(vec![0xa5; 42])).await.unwrap();
+    socket.send(Message::binary(vec![0xa5; 43])).await.unwrap();
     assert_eq!(next(&mut socket).await["problem"]["status"], 422);
     assert_eq!(station.asked.requests(), [Request::StartJob { job: 404 }]);
 }
@@ -368,4 +368,44 @@ async fn a_socket_whose_token_loses_rights_is_closed() {
     std::fs::write(&file, less).unwrap();
     assert!(closed(&mut anna).await.contains("role was reduced"));
     assert_eq!(station.gone().await.len(), 1);
+}
+
+#[tokio::test]
+async fn what_is_said_on_a_page_reaches_a_listener_and_is_refused_without_one() {
+    let station = Station::start().await;
+    let mut page = station.connect("?states=0&notices=false").await;
+    next(&mut page).await;
+    page.send(Message::binary(vec![1, 2])).await.unwrap();
+    let refused = next(&mut page).await;
+    assert!(
+        refused["problem"]["type"]
+            .as_str()
+            .unwrap()
+            .ends_with("/no-listener"),
+        "{refused}"
+    );
+    let address = format!("http://{}", station.served.address());
+    let address = StationAddress::new(&address).unwrap();
+    let get = async |path: &str| fetch::<Value>(&address, path).await.unwrap();
+    assert_eq!(get("/api/v1/talk").await, json!({"listens": false}));
+    let (audio, ()) = tokio::join!(get("/api/v1/talk/audio"), async {
+        while get("/api/v1/talk").await == json!({"listens": false}) {}
+        page.send(Message::binary(vec![1, 2])).await.unwrap();
+    });
+    assert_eq!(audio, json!([{"client": 1, "pcm": "AQI="}]));
+}
+
+#[tokio::test]
+async fn only_those_who_may_move_the_arm_may_speak() {
+    let station = Station::start().await;
+    let token = station.tokens().add(Role::Queue, "anna").unwrap();
+    let mut page = station.connect_with(&token).await;
+    page.send(Message::binary(vec![1, 2])).await.unwrap();
+    let refused = loop {
+        let message = next(&mut page).await;
+        if let Some(kind) = message["problem"]["type"].as_str() {
+            break kind.to_owned();
+        }
+    };
+    assert!(refused.ends_with("/role"), "{refused}");
 }

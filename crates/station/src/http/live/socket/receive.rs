@@ -5,9 +5,9 @@ use std::time::Duration;
 
 use axum::body::Bytes;
 use axum::extract::ws::Message;
-use dobot_api::FromClient;
-use dobot_api::problem_kinds::INVALID;
+use dobot_api::{FromClient, Problem, Role};
 use dobot_host::Client;
+use dobot_supervisor::Refusal;
 use futures_util::{Stream, StreamExt};
 use tokio::sync::mpsc;
 use tokio::time::timeout;
@@ -48,7 +48,7 @@ where
         if used.take(MESSAGES, app.now(), 1.0).is_err() {
             return CloseReason::Flood;
         }
-        let Some(owed) = answer(client, message).await else {
+        let Some(owed) = answer(app, client, message).await else {
             continue;
         };
         if owe.send(owed).await.is_err() {
@@ -69,14 +69,12 @@ fn broken(error: &impl Display) -> CloseReason {
 }
 
 /// Returns the response to a message.
-async fn answer(client: &Client, message: Message) -> Option<Outgoing> {
+async fn answer(app: &App, client: &Client, message: Message) -> Option<Outgoing> {
     let text = match message {
         Message::Text(text) => text,
-        Message::Binary(_) => {
-            return Some(Outgoing::problem(
-                None,
-                INVALID.problem("messages are text, not binary"),
-            ));
+        Message::Binary(pcm) => {
+            let problem = talk(app, client, pcm).err()?;
+            return Some(Outgoing::problem(None, problem));
         }
         _ => return None,
     };
@@ -90,4 +88,13 @@ async fn answer(client: &Client, message: Message) -> Option<Outgoing> {
             },
         },
     )
+}
+
+/// Passes audio on to the listener: whoever speaks wants to move the arm.
+fn talk(app: &App, client: &Client, pcm: Bytes) -> Result<(), Problem> {
+    let (needed, found) = (Role::Control, client.role());
+    if found < needed {
+        return Err(Refusal::Role { needed, found }.into());
+    }
+    app.talk.add(app.now(), client.id(), pcm)
 }

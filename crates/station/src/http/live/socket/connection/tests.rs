@@ -88,6 +88,7 @@ impl Harness {
                     recordings: "recordings".into(),
                     buttons: "buttons.json".into(),
                     stored: "files".into(),
+                    extras: "extras".into(),
                 },
                 None,
                 ending,
