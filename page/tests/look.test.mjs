@@ -122,6 +122,8 @@ test("a program that asks where a marker is gets the answer only after a person 
   const packet = await traffic.next(from, ({ floats: [state, , , y] }) => state === 3 && y > 1);
   assert.ok(Math.abs(packet.floats[4] - (PAPER_MM + CUBE_MM)) < 0.1);
   assert.ok(Math.hypot(packet.floats[2] - cube.x_mm, packet.floats[3] - cube.y_mm) < 1);
+  const notices = await bench.ask("api/v1/notices").then((all) => all.notices ?? all);
+  assert.ok(notices.some(({ type, text }) => type === "job_answered" && text.includes("camera: x ")), JSON.stringify(notices.slice(-5)));
   await page.waitForFunction(() => document.querySelector("#look-status")?.dataset.tone === "good");
   await page.click("#look-answers");
 });

@@ -26,6 +26,17 @@ function readPixels(path) {
   return { width: Number(head[1]), height: Number(head[2]), rgb: file.subarray(head[0].length) };
 }
 
+/** Writes a photo as a file that a browser reads (BMP); returns its path. */
+export function writeBitmap(path) {
+  const { width, height, rgb } = readPixels(path), file = Buffer.alloc(54 + 3 * width * height);
+  file.write("BM");
+  for (const [at, value] of [[2, file.length], [10, 54], [14, 40], [18, width], [22, height], [26, 1 | (24 << 16)]]) file.writeUInt32LE(value, at);
+  // From the lowest row up, and blue first; the width is a multiple of four.
+  for (let y = 0; y < height; y += 1) for (let x = 0; x < width; x += 1) for (let color = 0; color < 3; color += 1) file[54 + 3 * ((height - 1 - y) * width + x) + color] = rgb[3 * (y * width + x) + 2 - color];
+  writeFileSync(`${path}.bmp`, file);
+  return `${path}.bmp`;
+}
+
 /** Writes photos as a video that a browser plays for a camera (Y4M, ten frames a second). */
 export function writeVideo(file, paths) {
   const frames = paths.map(readPixels), [{ width, height }] = frames;

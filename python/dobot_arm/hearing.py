@@ -15,7 +15,7 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 try:
-    import pocketsphinx
+    import pocketsphinx  # type: ignore[import-untyped]
 except ImportError as _missing:  # pragma: no cover
     raise ImportError("hearing needs pocketsphinx: pip install dobot-arm[voice]") from _missing
 

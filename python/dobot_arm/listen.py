@@ -159,7 +159,7 @@ def _talk(audio: _core.TalkAudio, listener: TalkListener, ends: threading.Event)
 def _microphone(device: str | None) -> Iterator[bytes]:
     """Sound of the microphone, by PortAudio or by arecord."""
     try:
-        import sounddevice
+        import sounddevice  # type: ignore[import-untyped]
     except (ImportError, OSError):
         yield from _arecord(device)
         return

@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
+import wave
+from collections.abc import Iterable, Iterator
+from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
 
 import pytest
 
@@ -15,11 +20,76 @@ import dobot_arm as dobot
 pytest.importorskip("pocketsphinx")
 pytest.importorskip("numpy")
 
+import numpy as np
+
 from dobot_arm.hearing import Ear, Heard, Talk
 from dobot_arm.listen import Listener, TalkListener
 
-import sounds
-from sounds import CHATTER, NOISY_DB, ORDERS, QUIET_DB, VOICES, in_room, pieces
+Sound = Any
+RATE = 16_000
+VOICES = ("slt", "awb", "rms")
+LEVEL = 2000.0
+"""The mean loudness of speech, of 32767."""
+QUIET_DB, NOISY_DB = 50.0, 30.0
+"""How much quieter than speech the noise of a room is."""
+
+ORDERS = (
+    "left ten", "right ten", "ahead ten", "back ten", "up ten", "down ten", "left twenty", "right thirty", "ahead five",
+    "back fifteen", "up twenty five", "down seven", "left forty", "right fifty", "ahead thirteen", "back two",
+    "up twelve", "down eighteen", "catch", "release",
+)
+
+CHATTER = tuple(
+    (Path(__file__).parent / "scenes" / "chatter.txt").read_text().splitlines()
+)
+
+
+@cache
+def said(voice: str, text: str) -> Sound:
+    """A sentence, without a room."""
+    if shutil.which("flite") is None:
+        pytest.skip("flite is not installed")
+    with TemporaryDirectory() as folder:
+        file = Path(folder, "said.wav")
+        subprocess.run(["flite", "-voice", voice, "-t", text, "-o", file], check=True)
+        with wave.open(str(file)) as sound:
+            assert (sound.getframerate(), sound.getsampwidth(), sound.getnchannels()) == (RATE, 2, 1)
+            samples = np.frombuffer(sound.readframes(sound.getnframes()), np.int16).astype(float)
+    return samples * (LEVEL / np.sqrt(np.mean(samples**2)))
+
+
+def in_room(sentences: Iterable[tuple[str, str]], noise_db: float, seed: int) -> bytes:
+    """Sentences of voices, each after a second of silence, with pink noise."""
+    parts = [np.concatenate([np.zeros(RATE), said(*sentence)]) for sentence in sentences]
+    samples = np.concatenate([*parts, np.zeros(RATE)])
+    random = np.random.default_rng(seed)
+    hertz = np.fft.rfftfreq(len(samples), 1 / RATE)
+    spectrum = random.normal(size=len(hertz)) + 1j * random.normal(size=len(hertz))
+    spectrum[1:] /= np.sqrt(hertz[1:])
+    spectrum[0] = 0
+    noise = np.fft.irfft(spectrum, len(samples))
+    samples = samples + noise * (LEVEL * 10 ** (-noise_db / 20) / noise.std())
+    return bytes(np.clip(samples, -32767, 32767).astype("<i2").tobytes())
+
+
+def pieces(pcm: bytes, size: int = 3200) -> Iterable[bytes]:
+    """A tenth of a second each."""
+    return (pcm[at : at + size] for at in range(0, len(pcm), size))
+
+
+def last_loud_s(voice: str, text: str) -> float:
+    """When a sentence ends, in seconds from its begin."""
+    return float(np.flatnonzero(np.abs(said(voice, text)) > LEVEL / 10)[-1]) / RATE
+
+
+def save(path: Path, pcm: bytes, rate: int = RATE) -> Path:
+    """Saves a WAV file."""
+    with wave.open(str(path), "wb") as file:
+        file.setnchannels(1)
+        file.setsampwidth(2)
+        file.setframerate(rate)
+        file.writeframes(pcm)
+    return path
 
 ALL = os.environ.get("VOICE_ALL") == "1"
 ROOMS = (QUIET_DB, NOISY_DB)
@@ -35,9 +105,12 @@ def heard(pcm: bytes, *, waits: bool = False) -> list[Heard]:
 def test_orders_after_the_wake_word_are_understood(room_db: float) -> None:
     voices, orders = (VOICES, ORDERS) if ALL else (VOICES[:1], ORDERS[::4])
     wanted = [Heard("order", order) for _ in voices for order in orders]
-    found = heard(in_room([(voice, f"robot, {order}") for voice in voices for order in orders], room_db, 1))
+    everything = heard(in_room([(voice, f"robot, {order}") for voice in voices for order in orders], room_db, 1))
+    # A stop in the middle of an order costs that order.
+    found = [what for what in everything if what.what != "stop"]
     right = [a == b for a, b in zip(found, wanted)]
-    print(f"{room_db:.0f} dB: {sum(right)} of {len(wanted)}", [(b.words, a) for a, b in zip(found, wanted) if a != b])
+    wrong = [(b.words, a) for a, b in zip(found, wanted) if a != b]
+    print(f"{room_db:.0f} dB: {sum(right)} of {len(wanted)}; stops: {len(everything) - len(found)}; {wrong}")
     assert len(found) == len(wanted)
     assert sum(right) >= len(wanted) * 58 / 60
 
@@ -58,7 +131,7 @@ def test_stop_is_understood_within_half_a_second_and_without_the_wake_word() -> 
     for n in range(20 if ALL else 4):
         voice, text = VOICES[n % 3], texts[n % 4]
         room, ear, spoken_s = in_room([(voice, text)], ROOMS[n % 2], n), Ear(), 0.0
-        end_s = 1 + sounds.last_loud_s(voice, text)
+        end_s = 1 + last_loud_s(voice, text)
         for piece in pieces(room, 640):
             spoken_s += 0.02
             if Heard("stop") in list(ear.hear(piece)):
@@ -153,10 +226,10 @@ def run(*arguments: str) -> subprocess.CompletedProcess[str]:
 
 def test_the_program_hears_a_recording_and_says_what_is_wrong_with_another(tmp_path: Path) -> None:
     room = in_room([(VOICES[0], "robot, up five"), (VOICES[0], "robot, go.")], QUIET_DB, 8)
-    done = run("--to", "virtual:", "--wav", str(sounds.save(tmp_path / "orders.wav", room)))
+    done = run("--to", "virtual:", "--wav", str(save(tmp_path / "orders.wav", room)))
     assert done.returncode == 0, done.stderr
     assert done.stdout.splitlines()[1:] == ["up five; go?", "up five: go", "up five: done"]
-    wrong = run("--to", "virtual:", "--wav", str(sounds.save(tmp_path / "fast.wav", room, 44_100)))
+    wrong = run("--to", "virtual:", "--wav", str(save(tmp_path / "fast.wav", room, 44_100)))
     assert wrong.returncode == 1 and "44100 Hz, 16 bits, 1 channels; allowed are 16000 Hz" in wrong.stderr
 
 

@@ -1,11 +1,11 @@
 //! Optional parts of the page that are not in the program: installed from an archive whose digest is
 //! known, kept in the data folder, and served from there.
 
-use std::fmt::Write as _;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::{fs, str};
 
+use data_encoding::HEXLOWER;
 use dobot_api::make_private;
 use flate2::read::GzDecoder;
 use sha2::{Digest, Sha256};
@@ -93,7 +93,7 @@ impl Extra {
             |source| ExtraError::File { path, source }
         };
         let packed = fs::read(archive).map_err(failed(archive))?;
-        let found = hex(&Sha256::digest(&packed));
+        let found = HEXLOWER.encode(&Sha256::digest(&packed));
         if found != self.sha256 {
             return Err(ExtraError::Other {
                 path: archive.to_owned(),
@@ -128,7 +128,7 @@ impl Extra {
             let size = size_of_entry(&header)?;
             let padded = size.next_multiple_of(BLOCK as u64);
             let mut content = Vec::new();
-            (&mut tar).take(padded).read_to_end(&mut content)?;
+            tar.by_ref().take(padded).read_to_end(&mut content)?;
             let name = text(&header[..NAME_LEN])?;
             let name = name.strip_prefix("package/").unwrap_or_default();
             if let Some(known) = self.files.iter().find(|file| **file == name) {
@@ -149,13 +149,6 @@ fn size_of_entry(header: &[u8; BLOCK]) -> io::Result<u64> {
 fn text(bytes: &[u8]) -> io::Result<&str> {
     let text = bytes.split(|byte| *byte == 0).next().unwrap_or_default();
     str::from_utf8(text).map_err(io::Error::other)
-}
-
-fn hex(digest: &[u8]) -> String {
-    digest.iter().fold(String::new(), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
 }
 
 /// The size of a tar block, the length of a name, and where the size is (POSIX ustar).
@@ -195,7 +188,7 @@ mod tests {
         Extra {
             name: "things",
             package: "things@1.0.0",
-            sha256: hex(&Sha256::digest(archive)).leak(),
+            sha256: HEXLOWER.encode(&Sha256::digest(archive)).leak(),
             files: &["one.js", "two.wasm"],
         }
     }

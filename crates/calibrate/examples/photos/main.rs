@@ -74,6 +74,11 @@ fn photo(set: &str, seed: u64, size: [usize; 2]) -> Result<(Vec<u8>, Value), Box
         "glare" => film.glare = true,
         // A hand covers two of the corners.
         "covered" => scene.is_covered = true,
+        // The crosses of an arm without errors.
+        "drawn" => {
+            let place = |n: u8| [f64::from(n / 5).mul_add(30.0, 140.0), f64::from(n % 5).mul_add(45.0, -90.0)];
+            scene.crosses = (0..25).map(place).collect();
+        }
         // The crosses of an arm with errors.
         "crosses" => {
             let (crosses, checks) = arms::crosses(seed);
@@ -100,7 +105,7 @@ fn photo(set: &str, seed: u64, size: [usize; 2]) -> Result<(Vec<u8>, Value), Box
             }
         }
         _ => return Err(format!(
-            "the set is {set:?}; allowed: look, blurred, glare, covered, crosses, still, shifted"
+            "the set is {set:?}; allowed: look, blurred, glare, covered, crosses, drawn, still, shifted"
         )
         .into()),
     }

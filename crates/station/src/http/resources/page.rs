@@ -67,7 +67,7 @@ fn answer(file: &File, headers: &HeaderMap) -> Result<Response, RequestFailed> {
 }
 
 /// Returns the security policy of a file that needs its own: the worker that looks for hands runs
-/// WebAssembly, and nothing else may.
+/// compiled code, and nothing else may.
 fn own_security_policy(path: &str) -> Option<HeaderValue> {
     let policy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'";
     path.ends_with("/vision/hands_worker.js")

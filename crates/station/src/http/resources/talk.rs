@@ -44,7 +44,7 @@ impl Talk {
 
     /// Takes a piece of audio from a client; empty at the end.
     pub(crate) fn add(&self, now: Duration, client: ClientId, pcm: Bytes) -> Result<(), Problem> {
-        if pcm.len() > MAX_PIECE || pcm.len() % 2 != 0 {
+        if pcm.len() > MAX_PIECE || !pcm.len().is_multiple_of(2) {
             return Err(INVALID.problem(format!(
                 "the piece of audio has {} bytes; allowed are 0 to {MAX_PIECE}, two for each sample",
                 pcm.len()
