@@ -198,4 +198,5 @@ def without(folder):
     assert json.loads((folder / "none.json").read_text())["tool"] is None
 
 
-main(pathlib.Path(sys.argv[1]))
+if __name__ == "__main__":
+    main(pathlib.Path(sys.argv[1]))

@@ -1,4 +1,4 @@
-//! The original Dobot Arm as a model for other programs: URDF, MJCF (MuJoCo) and JSON.
+//! The original Dobot Arm as a model for other programs: URDF, a configuration of MoveIt, MJCF (MuJoCo) and JSON.
 //!
 //! The model has the arm's links with both of its parallelograms and the crank that turns the forearm, and a tool. Its
 //! lengths, limits and speeds are those of `dobot-arm` and `dobot-motion`, without the roundings of a stock arm. Its
@@ -15,12 +15,15 @@
 //! # Ok::<(), dobot_model::BadLength>(())
 //! ```
 
+mod collisions;
 mod dimensions;
+mod inertia;
 mod joint;
 mod json;
 mod mjcf;
 mod model;
 mod mounted_tool;
+mod moveit;
 #[cfg(feature = "options")]
 mod options;
 mod part;

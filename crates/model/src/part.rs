@@ -30,7 +30,7 @@ const FINGERS_MM: f64 = 30.0;
 
 const CRANK_Y: f64 = -21.0;
 const ROD_Y: f64 = 25.5;
-const FRONT_ROD_Y: f64 = 12.0;
+const FRONT_ROD_Y: f64 = 9.5;
 
 pub(crate) fn base() -> Vec<Shape> {
     vec![

@@ -51,8 +51,31 @@ impl Model {
     }
 
     /// The joints. One that follows both arms is two, with a link without a shape between them, as `forearm_level`.
+    ///
+    /// In the arm a motor turns the crank, which turns the forearm. Here the driven joint `fore` is that of the forearm, and
+    /// the joint `crank` follows it: solvers of inverse kinematics need the driven joints between base and tool.
     pub(crate) fn tree(&self) -> impl Iterator<Item = TreeJoint> {
-        self.joints.iter().flat_map(split)
+        let fore = self.joints.iter().find(|joint| joint.name == "fore");
+        let fore = fore.expect("it is in the linkage").turn;
+        self.joints
+            .iter()
+            .flat_map(split)
+            .map(move |joint| match &*joint.name {
+                "fore" => TreeJoint {
+                    name: "crank".into(),
+                    turn: Turn::Follows {
+                        rear: 0.0,
+                        fore: 1.0,
+                    },
+                    ..joint
+                },
+                "elbow" => TreeJoint {
+                    name: "fore".into(),
+                    turn: fore,
+                    ..joint
+                },
+                _ => joint,
+            })
     }
 }
 
@@ -139,6 +162,21 @@ mod tests {
             let off = Position::new(x, y, z).distance(expected).0;
             prop_assert!(off < 1e-9, "{off} mm");
         }
+    }
+
+    #[test]
+    fn every_driven_joint_is_between_base_and_tool() {
+        let tool = MountedTool::new(Tool::Pen, Millimeters(50.0)).expect("it is allowed");
+        let joints: Vec<TreeJoint> = Model::new(Some(tool)).tree().collect();
+        let mut driven = Vec::new();
+        let mut link = Cow::from("tool");
+        while let Some(joint) = joints.iter().find(|joint| joint.child == link) {
+            if let Turn::Driven { .. } = joint.turn {
+                driven.push(&*joint.name);
+            }
+            link = joint.parent.clone();
+        }
+        assert_eq!(driven, ["servo", "fore", "rear", "base"]);
     }
 
     #[test]

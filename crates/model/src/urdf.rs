@@ -4,8 +4,9 @@ use dobot_arm::{Degrees, Span};
 use dobot_motion::Speeds;
 use xmlwriter::XmlWriter;
 
+use crate::inertia::Inertia;
 use crate::joint::{Axis, Turn, span_of_follower};
-use crate::model::{Model, Part};
+use crate::model::Model;
 use crate::shape::{Colour, Shape, Solid};
 use crate::tree::TreeJoint;
 use crate::xml::{TITLE, document, element, metres, numbers, radians};
@@ -14,8 +15,9 @@ impl Model {
     /// The model as URDF: metres and radians.
     ///
     /// URDF has no loops: joints that the linkage turns mimic the driven ones. One can mimic a single joint only, so a joint
-    /// that follows both arms is written as two, with a link without a shape between them, as `forearm_level`. The shapes are
-    /// for looks and for collisions. Nobody has measured masses and forces: there is no `inertial`, and each `effort` is 0.
+    /// that follows both arms is written as two, with a link without a shape between them, as `forearm_level`. All driven
+    /// joints are in the chain from `base` to `tool`. The shapes are for looks and for collisions. Nobody has measured masses
+    /// and forces: links weigh what their shapes would if they were of water, and each `effort` is an estimate.
     #[must_use]
     pub fn to_urdf(&self) -> String {
         let mut xml = document(TITLE);
@@ -28,13 +30,16 @@ impl Model {
             xml.end_element();
         }
         for part in &self.parts {
-            link(&mut xml, part);
+            link(&mut xml, part.name, &part.shapes);
         }
         for joint in self.tree() {
             if !self.parts.iter().any(|part| part.name == joint.child) {
-                element(&mut xml, "link", &[("name", &joint.child)]);
+                link(&mut xml, &joint.child, &[]);
             }
             self.urdf_joint(&mut xml, &joint);
+            if let Turn::Driven { .. } = joint.turn {
+                transmission(&mut xml, &joint.name);
+            }
         }
         xml.end_document()
     }
@@ -44,13 +49,18 @@ impl Model {
             Turn::Fixed => start(xml, "fixed", joint),
             Turn::Driven { axis, span, deg_s } => {
                 start(xml, "revolute", joint);
-                turning(xml, axis, &span, deg_s);
+                let effort = if joint.name == "servo" {
+                    SERVO_NM
+                } else {
+                    MOTOR_NM
+                };
+                turning(xml, axis, &span, deg_s, effort);
             }
             Turn::Follows { rear, fore } => {
                 let driver = if fore == 0.0 { "rear" } else { "fore" };
                 let span = span_of_follower(rear, fore, &self.limits);
                 start(xml, "revolute", joint);
-                turning(xml, Axis::Y, &span, Speeds::STOCK.joint_deg_s);
+                turning(xml, Axis::Y, &span, Speeds::STOCK.joint_deg_s, MOTOR_NM);
                 let times = numbers([rear + fore]);
                 element(
                     xml,
@@ -73,7 +83,7 @@ fn start(xml: &mut XmlWriter, kind: &str, joint: &TreeJoint) {
     element(xml, "origin", &[("xyz", &metres(joint.at_mm))]);
 }
 
-fn turning(xml: &mut XmlWriter, axis: Axis, span: &Span<Degrees>, deg_s: f64) {
+fn turning(xml: &mut XmlWriter, axis: Axis, span: &Span<Degrees>, deg_s: f64, effort_nm: f64) {
     let [lower, upper] = radians(span).map(|limit| numbers([limit]));
     let velocity = numbers([deg_s.to_radians()]);
     element(xml, "axis", &[("xyz", &numbers(axis.vector()))]);
@@ -84,25 +94,73 @@ fn turning(xml: &mut XmlWriter, axis: Axis, span: &Span<Degrees>, deg_s: f64) {
             ("lower", &lower),
             ("upper", &upper),
             ("velocity", &velocity),
-            ("effort", "0"),
+            ("effort", &numbers([effort_nm])),
         ],
     );
 }
 
-fn link(xml: &mut XmlWriter, part: &Part) {
+/// Lets Drake and others put a motor to a joint.
+fn transmission(xml: &mut XmlWriter, joint: &str) {
+    xml.start_element("transmission");
+    xml.write_attribute("name", &format!("{joint}_transmission"));
+    text(xml, "type", "transmission_interface/SimpleTransmission");
+    for (part, name, reduction) in [("joint", joint, None), ("actuator", joint, Some("1"))] {
+        xml.start_element(part);
+        xml.write_attribute("name", name);
+        text(
+            xml,
+            "hardwareInterface",
+            "hardware_interface/PositionJointInterface",
+        );
+        if let Some(reduction) = reduction {
+            text(xml, "mechanicalReduction", reduction);
+        }
+        xml.end_element();
+    }
+    xml.end_element();
+}
+
+fn text(xml: &mut XmlWriter, name: &str, value: &str) {
+    xml.start_element(name);
+    xml.set_preserve_whitespaces(true);
+    xml.write_text(value);
+    xml.end_element();
+    xml.set_preserve_whitespaces(false);
+}
+
+fn link(xml: &mut XmlWriter, name: &str, shapes: &[Shape]) {
     xml.start_element("link");
-    xml.write_attribute("name", part.name);
-    for shape in &part.shapes {
+    xml.write_attribute("name", name);
+    inertial(xml, &Inertia::of(shapes));
+    for shape in shapes {
         xml.start_element("visual");
         place(xml, shape);
         element(xml, "material", &[("name", shape.colour.name())]);
         xml.end_element();
     }
-    for shape in &part.shapes {
+    for shape in shapes {
         xml.start_element("collision");
         place(xml, shape);
         xml.end_element();
     }
+    xml.end_element();
+}
+
+fn inertial(xml: &mut XmlWriter, inertia: &Inertia) {
+    xml.start_element("inertial");
+    element(xml, "origin", &[("xyz", &numbers(inertia.at_m))]);
+    element(xml, "mass", &[("value", &numbers([inertia.mass_kg]))]);
+    let [xx, yy, zz] = inertia.moments.map(|moment| numbers([moment]));
+    let [xy, xz, yz] = inertia.products.map(|product| numbers([product]));
+    let tensor = [
+        ("ixx", &*xx),
+        ("iyy", &yy),
+        ("izz", &zz),
+        ("ixy", &xy),
+        ("ixz", &xz),
+        ("iyz", &yz),
+    ];
+    element(xml, "inertia", &tensor);
     xml.end_element();
 }
 
@@ -127,3 +185,8 @@ fn place(xml: &mut XmlWriter, shape: &Shape) {
     }
     xml.end_element();
 }
+
+/// The torque of the motors of base, rear arm and forearm, estimated.
+const MOTOR_NM: f64 = 5.0;
+/// The torque of the servo, estimated.
+const SERVO_NM: f64 = 1.0;

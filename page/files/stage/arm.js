@@ -13,7 +13,7 @@ import { createTool } from "./tools.js";
 
 const CHEEK_Y = 32;
 const ROD_Y = 25.5;
-const FRONT_ROD_Y = 12;
+const FRONT_ROD_Y = 9.5;
 
 /**
  * An arm without parts: `mount` builds it.

@@ -1,7 +1,9 @@
 //! `dobot model`: prints a model of the arm for other programs.
 
-use std::path::{Path, PathBuf};
+use std::fs;
+use std::path::PathBuf;
 
+use anyhow::Context;
 use clap::ValueEnum;
 use dobot_model::{Model, ToolOptions, ToolOptionsError};
 use dobot_safety::Policy;
@@ -9,13 +11,14 @@ use dobot_safety::Policy;
 use crate::failure::Failure;
 use crate::output;
 
-/// Print a model of the arm: URDF, MJCF (MuJoCo) or JSON
+/// Print a model of the arm: URDF, MJCF (MuJoCo), JSON, or a configuration of MoveIt
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot model > dobot_arm.urdf                    with a suction cup, for ROS and MoveIt
+  dobot model > dobot_arm.urdf                    with a suction cup, for ROS
   dobot model --format mjcf --tool gripper -o .   dobot_arm.xml for MuJoCo
   dobot model --format json --tool pen --length 62
+  dobot model --format moveit -o moveit           a folder with all files that MoveIt needs
   dobot model --tool none                         up to the wrist, for another tool
 
 URDF and MJCF are in metres and radians, JSON in millimetres and degrees.
@@ -26,8 +29,13 @@ pub(crate) struct Args {
     format: Format,
     #[command(flatten)]
     tool: ToolOptions,
-    /// Output file, or a folder for a file named `dobot_arm` (default: standard output)
-    #[arg(short, long, value_name = "FILE|FOLDER")]
+    /// Output file, or a folder for a file named `dobot_arm` (default: standard output). MoveIt needs a folder
+    #[arg(
+        short,
+        long,
+        value_name = "FILE|FOLDER",
+        required_if_eq("format", "moveit")
+    )]
     out: Option<PathBuf>,
     /// Overwrite an existing file
     #[arg(long, requires = "out")]
@@ -39,35 +47,37 @@ enum Format {
     Urdf,
     Mjcf,
     Json,
+    Moveit,
 }
 
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let lengths = Policy::default().tool_length;
     let mounted = args.tool.mounted(|tool| lengths.of(tool));
     let model = Model::new(mounted.map_err(tool_failure)?);
-    let text = match args.format {
-        Format::Urdf => model.to_urdf(),
-        Format::Mjcf => model.to_mjcf(),
-        Format::Json => model.to_json(),
+    let (name, text) = match args.format {
+        Format::Urdf => ("dobot_arm.urdf", model.to_urdf()),
+        Format::Mjcf => ("dobot_arm.xml", model.to_mjcf()),
+        Format::Json => ("dobot_arm.json", model.to_json()),
+        Format::Moveit => return write_folder(args, &model.to_moveit()),
     };
     match &args.out {
         None => Ok(output::bytes(text.as_bytes())?),
-        Some(out) => output::file(&args.format.file(out), text.as_bytes(), args.force),
+        Some(out) => {
+            let file = if out.is_dir() { &out.join(name) } else { out };
+            output::file(file, text.as_bytes(), args.force)
+        }
     }
 }
 
-impl Format {
-    /// The output file.
-    fn file(self, out: &Path) -> PathBuf {
-        if !out.is_dir() {
-            return out.to_owned();
-        }
-        out.join(match self {
-            Self::Urdf => "dobot_arm.urdf",
-            Self::Mjcf => "dobot_arm.xml",
-            Self::Json => "dobot_arm.json",
-        })
+/// Writes files into the folder, which is created if it does not exist.
+fn write_folder(args: &Args, files: &[(&str, String)]) -> Result<(), Failure> {
+    let folder = args.out.as_deref().expect("clap requires it");
+    fs::create_dir_all(folder)
+        .with_context(|| format!("cannot create the folder {}", folder.display()))?;
+    for (name, text) in files {
+        output::file(&folder.join(name), text.as_bytes(), args.force)?;
     }
+    Ok(())
 }
 
 fn tool_failure(error: ToolOptionsError) -> Failure {

@@ -51,6 +51,38 @@ fn a_folder_gets_a_new_file_and_an_existing_file_is_kept() {
 }
 
 #[test]
+fn moveit_gets_a_new_folder_and_existing_files_are_kept() {
+    dobot(&["model", "--format", "moveit"]).fails(2, &["--out"]);
+    let folder = tempfile::tempdir().expect("there is room");
+    let out = folder.path().join("moveit");
+    let arguments = [
+        "model",
+        "--format",
+        "moveit",
+        "-o",
+        out.to_str().expect("the path is text"),
+    ];
+    dobot(&arguments).succeeds();
+    let urdf = fs::read_to_string(out.join("dobot_arm.urdf")).expect("it is there");
+    assert_eq!(urdf, dobot(&["model"]).succeeds().stdout);
+    for name in [
+        "dobot_arm.srdf",
+        "kinematics.yaml",
+        "joint_limits.yaml",
+        "demo.launch.py",
+        "moveit.rviz",
+    ] {
+        assert!(out.join(name).is_file(), "{name}");
+    }
+    fs::write(out.join("dobot_arm.srdf"), "mine").expect("there is room");
+    dobot(&arguments).fails(1, &["exists", "hint: overwrite it with `--force`"]);
+    assert_eq!(
+        fs::read_to_string(out.join("dobot_arm.srdf")).expect("it is there"),
+        "mine"
+    );
+}
+
+#[test]
 fn an_invalid_length_is_refused() {
     for length in ["0", "19.99", "201", "nan", "inf"] {
         let outcome = dobot(&["model", "--length", length]).fails(2, &["20 to 200 mm"]);
