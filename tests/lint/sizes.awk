@@ -3,7 +3,7 @@
 # A function that is a table, marked by a comment `// table`, ends with ` table`.
 
 FNR == 1 { depth = 0; tests = 0 }
-/^#\[cfg\(test\)\]/ { tests = 1 }
+/^#\[cfg\((all\()?test[,)]/ { tests = 1 }
 tests { next }
 
 /^ *(pub(\([a-z:_ ]+\))? )?((const|async|unsafe) )*fn [a-z_0-9]+/ {

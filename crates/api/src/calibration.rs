@@ -114,14 +114,7 @@ impl PaperPlane {
             ]
         });
         let count = self.heights.len();
-        let too_many = (count > MAX_HEIGHTS).then_some(NoSuchArm {
-            key: "the number of paper.heights",
-            #[expect(clippy::cast_precision_loss, reason = "a count")]
-            found: count as f64,
-            least: 0.0,
-            #[expect(clippy::cast_precision_loss, reason = "a small count")]
-            most: MAX_HEIGHTS as f64,
-        });
+        let too_many = (count > MAX_HEIGHTS).then(|| too_many_heights(count));
         let beyond = numbers.into_iter().find(wrong);
         let beyond = beyond.map(|(key, found, most)| NoSuchArm {
             key,
@@ -130,6 +123,17 @@ impl PaperPlane {
             most,
         });
         too_many.or(beyond).map_or(Ok(()), Err)
+    }
+}
+
+fn too_many_heights(count: usize) -> NoSuchArm {
+    NoSuchArm {
+        key: "the number of paper.heights",
+        #[expect(clippy::cast_precision_loss, reason = "a count")]
+        found: count as f64,
+        least: 0.0,
+        #[expect(clippy::cast_precision_loss, reason = "a small count")]
+        most: MAX_HEIGHTS as f64,
     }
 }
 
@@ -213,23 +217,8 @@ impl CalibrationFile {
         self.check_name()?;
         let paper = self.paper.clone().unwrap_or_default();
         paper.check_heights()?;
-        let plane = paper.plane();
-        let ranges = [
-            ("zeros.base", self.zeros.base, -90.0, 90.0),
-            ("zeros.rear", self.zeros.rear, -30.0, 30.0),
-            ("zeros.fore", self.zeros.fore, -30.0, 30.0),
-            ("tool.out_mm", self.tool.out_mm, -30.0, 30.0),
-            ("tool.left_mm", self.tool.left_mm, -30.0, 30.0),
-            ("axis.x_mm", self.axis.x_mm, -50.0, 50.0),
-            ("axis.y_mm", self.axis.y_mm, -50.0, 50.0),
-            ("paper.z_mm", plane.z0_mm, -300.0, 136.0),
-            ("paper.slope_x", plane.slope_x, -0.18, 0.18),
-            ("paper.slope_y", plane.slope_y, -0.18, 0.18),
-            ("backlash.base", self.backlash.base, 0.0, 5.0),
-            ("backlash.rear", self.backlash.rear, 0.0, 5.0),
-            ("backlash.fore", self.backlash.fore, 0.0, 5.0),
-        ];
-        let wrong = ranges
+        let wrong = self
+            .ranges(&paper.plane())
             .into_iter()
             .find(|(_, found, least, most)| !(*least..=*most).contains(found));
         wrong.map_or(Ok(()), |(key, found, least, most)| {
@@ -240,6 +229,25 @@ impl CalibrationFile {
                 most,
             })
         })
+    }
+
+    /// Returns all numbers with their ranges: name, value, minimum, maximum.
+    fn ranges(&self, paper: &Plane) -> [(&'static str, f64, f64, f64); 13] {
+        [
+            ("zeros.base", self.zeros.base, -90.0, 90.0),
+            ("zeros.rear", self.zeros.rear, -30.0, 30.0),
+            ("zeros.fore", self.zeros.fore, -30.0, 30.0),
+            ("tool.out_mm", self.tool.out_mm, -30.0, 30.0),
+            ("tool.left_mm", self.tool.left_mm, -30.0, 30.0),
+            ("axis.x_mm", self.axis.x_mm, -50.0, 50.0),
+            ("axis.y_mm", self.axis.y_mm, -50.0, 50.0),
+            ("paper.z_mm", paper.z0_mm, -300.0, 136.0),
+            ("paper.slope_x", paper.slope_x, -0.18, 0.18),
+            ("paper.slope_y", paper.slope_y, -0.18, 0.18),
+            ("backlash.base", self.backlash.base, 0.0, 5.0),
+            ("backlash.rear", self.backlash.rear, 0.0, 5.0),
+            ("backlash.fore", self.backlash.fore, 0.0, 5.0),
+        ]
     }
 }
 

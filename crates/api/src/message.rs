@@ -77,20 +77,22 @@ pub struct Hello {
     pub dead_man_s: f64,
 }
 
+/// All fields of messages to clients.
+#[derive(Deserialize)]
+struct ToClientFields {
+    hello: Option<Hello>,
+    state: Option<Box<State>>,
+    notice: Option<Notice>,
+    id: Option<u64>,
+    reply: Option<Reply>,
+    problem: Option<Problem>,
+}
+
 /// The kind of a message follows from its fields, so an error inside one is reported as such and
 /// not as an unknown message.
 impl<'de> Deserialize<'de> for ToClient<'_> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        #[derive(Deserialize)]
-        struct Fields {
-            hello: Option<Hello>,
-            state: Option<Box<State>>,
-            notice: Option<Notice>,
-            id: Option<u64>,
-            reply: Option<Reply>,
-            problem: Option<Problem>,
-        }
-        let fields = Fields::deserialize(deserializer)?;
+        let fields = ToClientFields::deserialize(deserializer)?;
         let hello = fields.hello.map(|hello| Self::Hello { hello });
         let state = fields.state.map(|state| Self::State { state });
         let notice = fields.notice.map(|notice| Self::Notice {

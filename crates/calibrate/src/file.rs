@@ -3,6 +3,7 @@
 use dobot_api::{
     Axis, Backlash, CalibrationFile, NoSuchArm, PaperPlane, ToolOffset, Touched, Zeros,
 };
+use dobot_arm::Plane;
 use thiserror::Error;
 
 use crate::Fit;
@@ -26,18 +27,26 @@ pub fn found(fit: &Fit, backlash: Backlash) -> CalibrationFile {
             x_mm: arm.axis_mm[0],
             y_mm: arm.axis_mm[1],
         },
-        paper: Some(PaperPlane {
-            z_mm: paper.z0_mm,
-            slope_x: paper.slope_x,
-            slope_y: paper.slope_y,
-            heights: Vec::new(),
-        }),
+        paper: Some(level(paper)),
         backlash,
-        touched: Some(Touched {
-            points: fit.residuals_mm.len() - fit.left_out.len(),
-            typical_mm: fit.typical_mm,
-            largest_mm: fit.largest_mm,
-        }),
+        touched: Some(touched(fit)),
+    }
+}
+
+const fn level(paper: &Plane) -> PaperPlane {
+    PaperPlane {
+        z_mm: paper.z0_mm,
+        slope_x: paper.slope_x,
+        slope_y: paper.slope_y,
+        heights: Vec::new(),
+    }
+}
+
+const fn touched(fit: &Fit) -> Touched {
+    Touched {
+        points: fit.residuals_mm.len() - fit.left_out.len(),
+        typical_mm: fit.typical_mm,
+        largest_mm: fit.largest_mm,
     }
 }
 

@@ -109,15 +109,7 @@ pub fn fit(touches: &[Touch], tool: Tool) -> Result<Fit, FitError> {
         .map(|touch| length(&away_mm(touch)))
         .collect();
     let typical_mm = (norm_squared(&distances) / count(distances.len())).sqrt();
-    if typical_mm > MAX_TYPICAL_MM {
-        let contradiction = FitError::Contradiction {
-            typical_mm,
-            allowed_mm: MAX_TYPICAL_MM,
-        };
-        return Err(what_went_wrong(touches, tool, &kept.solved).unwrap_or(contradiction));
-    }
-    check_arm(&numbers.arm, &numbers.paper)
-        .map_err(|beyond| what_went_wrong(touches, tool, &kept.solved).unwrap_or(beyond))?;
+    check_contradiction(touches, tool, &kept, typical_mm)?;
     Ok(Fit {
         arm: numbers.arm,
         tool_mm: [tool.reach().0 + numbers.arm.reach_mm, numbers.arm.left_mm],
@@ -131,6 +123,26 @@ pub fn fit(touches: &[Touch], tool: Tool) -> Result<Fit, FitError> {
         trust: trust(touches, tool, &kept, typical_mm),
         left_out: kept.wrong,
     })
+}
+
+fn check_contradiction(
+    touches: &[Touch],
+    tool: Tool,
+    kept: &Kept,
+    typical_mm: f64,
+) -> Result<(), FitError> {
+    let numbers = kept.solved.numbers;
+    let error = if typical_mm > MAX_TYPICAL_MM {
+        FitError::Contradiction {
+            typical_mm,
+            allowed_mm: MAX_TYPICAL_MM,
+        }
+    } else if let Err(beyond) = check_arm(&numbers.arm, &numbers.paper) {
+        beyond
+    } else {
+        return Ok(());
+    };
+    Err(what_went_wrong(touches, tool, &kept.solved).unwrap_or(error))
 }
 
 fn check(touches: &[Touch]) -> Result<(), FitError> {

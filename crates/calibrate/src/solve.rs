@@ -54,16 +54,7 @@ impl Numbers {
     fn of(scaled: &[f64; COUNT], middle: &[f64; COUNT], suspect: Suspect) -> Self {
         let n: [f64; COUNT] = from_fn(|i| scaled[i] * BEFORE[i] + middle[i]);
         Self {
-            arm: Calibration {
-                base_deg: n[0],
-                rear_deg: n[1],
-                fore_deg: n[2],
-                reach_mm: n[3],
-                left_mm: n[4],
-                axis_mm: [n[5], n[6]],
-                backlash_deg: [0.0; 3],
-                table: None,
-            },
+            arm: Self::arm_of(&n),
             paper: Plane {
                 z0_mm: n[7],
                 slope_x: n[8],
@@ -79,6 +70,19 @@ impl Numbers {
             } else {
                 0.0
             },
+        }
+    }
+
+    fn arm_of(n: &[f64; COUNT]) -> Calibration {
+        Calibration {
+            base_deg: n[0],
+            rear_deg: n[1],
+            fore_deg: n[2],
+            reach_mm: n[3],
+            left_mm: n[4],
+            axis_mm: [n[5], n[6]],
+            backlash_deg: [0.0; 3],
+            table: None,
         }
     }
 

@@ -53,11 +53,7 @@ impl Suite {
                 Some(why) => Outcome::NotTried(why),
                 None => self.judge(check).await,
             };
-            match outcome {
-                Outcome::Specification(_) => self.rig.votes[0] += 1,
-                Outcome::Firmware11(_) => self.rig.votes[1] += 1,
-                _ => {}
-            }
+            self.count(&outcome);
             let row = Row {
                 check: *check,
                 outcome,
@@ -73,6 +69,15 @@ impl Suite {
             rig.latency,
             rig.blocker.clone(),
         )
+    }
+
+    /// Counts an outcome that speaks for a dialect.
+    fn count(&mut self, outcome: &Outcome) {
+        match outcome {
+            Outcome::Specification(_) => self.rig.votes[0] += 1,
+            Outcome::Firmware11(_) => self.rig.votes[1] += 1,
+            _ => {}
+        }
     }
 
     /// Stops: releases the button, switches the laser off and moves back to the start.

@@ -268,6 +268,14 @@ impl Controller {
                 (firmware.waiting(), firmware.take_motion_deg(), repeats)
             }
         };
+        self.turn_motors(motion_deg, repeats);
+        if let Some(add_to_x_mm) = self.schedule.tick(waiting) {
+            self.upload(at, add_to_x_mm);
+        }
+    }
+
+    /// Passes a tick's motion to the motors, or the last one again.
+    fn turn_motors(&mut self, motion_deg: [f32; 3], repeats: bool) {
         if repeats {
             self.ticks_at_rest = 0;
             self.steppers.repeat();
@@ -277,9 +285,6 @@ impl Controller {
         } else {
             self.ticks_at_rest = 0;
             self.steppers.turn(motion_deg);
-        }
-        if let Some(add_to_x_mm) = self.schedule.tick(waiting) {
-            self.upload(at, add_to_x_mm);
         }
     }
 

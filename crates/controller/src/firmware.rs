@@ -93,6 +93,19 @@ struct InForce {
     is_reported: bool,
 }
 
+impl InForce {
+    const fn idle() -> Self {
+        Self {
+            frame: Frame::ZERO,
+            state: IDLE,
+            is_finished: true,
+            state_before: IDLE,
+            is_new: false,
+            is_reported: false,
+        }
+    }
+}
+
 impl Firmware {
     pub(crate) fn power_up(power_up: &PowerUp) -> Self {
         let body = Body::power_up(power_up.rear_deg, power_up.fore_deg);
@@ -103,14 +116,7 @@ impl Firmware {
             printer: Printer::default(),
             fifo: Fifo::new(),
             settings: StockSettings::new(),
-            in_force: InForce {
-                frame: Frame::ZERO,
-                state: IDLE,
-                is_finished: true,
-                state_before: IDLE,
-                is_new: false,
-                is_reported: false,
-            },
+            in_force: InForce::idle(),
             travel: Travel::default(),
             line: StraightLine::default(),
             jog: Jog::default(),
@@ -147,13 +153,7 @@ impl Firmware {
         }
         self.body.is_driven = false;
         if self.in_force.is_finished {
-            if let Some(frame) = self.fifo.pop() {
-                log.begun();
-                self.fetch(frame);
-            } else if self.fifo.len() > 0 {
-                // An overfull queue returns nothing: the last command runs again.
-                self.fetch(self.in_force.frame);
-            }
+            self.fetch_next(log);
         }
         let outcome = self.dispatch();
         self.in_force.is_finished = outcome.is_over;
@@ -167,6 +167,16 @@ impl Firmware {
         self.body.settle();
         self.note_loss(log);
         self.compute(at);
+    }
+
+    fn fetch_next(&mut self, log: &mut Log) {
+        if let Some(frame) = self.fifo.pop() {
+            log.begun();
+            self.fetch(frame);
+        } else if self.fifo.len() > 0 {
+            // An overfull queue returns nothing: the last command runs again.
+            self.fetch(self.in_force.frame);
+        }
     }
 
     pub(crate) const fn waiting(&self) -> usize {
@@ -272,28 +282,34 @@ impl Firmware {
                 log.counters.packets += 1;
                 self.receive_voice(&SpokenWords::find(text), log);
             }
-            &Received::BadTail { header } => {
-                self.serial.bad_tails += 1;
-                log.refuse(Refused::BadTail);
-                self.interrupt(header);
-                if self.port == Port::Bluetooth {
-                    self.printer.print(b"Invalid header!\r\n");
-                }
-            }
+            &Received::BadTail { header } => self.refuse_bad_tail(header, log),
             Received::TooLong => {
                 self.serial.too_long += 1;
                 log.refuse(Refused::TooLong);
             }
         }
         if self.port == Port::Usb {
-            let serial = &self.serial;
-            self.printer.print_number(serial.packets);
-            self.printer.print(b",");
-            self.printer.print_number(serial.bad_tails);
-            self.printer.print(b",");
-            self.printer.print_number(serial.too_long);
-            self.printer.print(b"\r\n");
+            self.print_counters();
         }
+    }
+
+    fn refuse_bad_tail(&mut self, header: u8, log: &mut Log) {
+        self.serial.bad_tails += 1;
+        log.refuse(Refused::BadTail);
+        self.interrupt(header);
+        if self.port == Port::Bluetooth {
+            self.printer.print(b"Invalid header!\r\n");
+        }
+    }
+
+    fn print_counters(&mut self) {
+        let serial = &self.serial;
+        self.printer.print_number(serial.packets);
+        self.printer.print(b",");
+        self.printer.print_number(serial.bad_tails);
+        self.printer.print(b",");
+        self.printer.print_number(serial.too_long);
+        self.printer.print(b"\r\n");
     }
 
     fn receive_voice(&mut self, words: &SpokenWords, log: &mut Log) {
@@ -425,24 +441,10 @@ impl Firmware {
 
     /// The calculation done in this tick.
     fn work(&self) -> Work {
-        let InForce {
-            state,
-            is_new,
-            ref frame,
-            ..
-        } = self.in_force;
+        let InForce { state, is_new, .. } = self.in_force;
         let is_driven = self.body.is_driven;
         match state {
-            TARGET_POSE | TARGET_JOINTS => {
-                let begins = is_new || self.travel.begins_phase();
-                match short(frame.float(8)) {
-                    target::JUMP if begins => Work::JumpPhase,
-                    target::MOVJ if begins => Work::PlanMovj,
-                    target::MOVL if is_driven => Work::Movl,
-                    _ if is_driven => Work::Movj,
-                    _ => Work::Idle,
-                }
-            }
+            TARGET_POSE | TARGET_JOINTS => self.work_for_target(),
             MOUSE if is_new => Work::PlanMouse,
             GESTURE | STATE_15 if is_new => Work::PlanGesture,
             _ if !is_driven => Work::Idle,
@@ -452,6 +454,18 @@ impl Firmware {
             WRITE => Work::Write,
             VOICE => Work::Voice,
             _ => Work::Follow,
+        }
+    }
+
+    fn work_for_target(&self) -> Work {
+        let begins = self.in_force.is_new || self.travel.begins_phase();
+        let is_driven = self.body.is_driven;
+        match short(self.in_force.frame.float(8)) {
+            target::JUMP if begins => Work::JumpPhase,
+            target::MOVJ if begins => Work::PlanMovj,
+            target::MOVL if is_driven => Work::Movl,
+            _ if is_driven => Work::Movj,
+            _ => Work::Idle,
         }
     }
 }

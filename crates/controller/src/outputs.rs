@@ -36,7 +36,7 @@ impl Outputs {
 }
 
 /// The commanded state of the end effector and its servos.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Hands {
     pub(crate) head_servo: u16,
     pub(crate) gripper_servo: u16,

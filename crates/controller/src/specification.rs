@@ -236,31 +236,17 @@ impl Specification {
             ends,
             ..
         }) = self.running
-            && let Some(command) = self.queue.front()
+            && let Some(button) = self.queue.front().map(Button::of)
         {
             let t_s = at.saturating_sub(began).as_secs_f64();
-            let next = match Button::of(command) {
-                Some(Button::Suction(on)) => {
-                    self.model.suction = on;
-                    Next::Go
-                }
-                Some(Button::Laser(on)) => {
-                    self.model.laser = on;
-                    Next::Go
-                }
-                Some(Button::Held { axis, share }) if axis == jog.axis() => {
-                    JogTrajectory::start(&self.model, axis, share, jog.speed_at(t_s))
-                        .map_or(Next::Go, |jog| Next::Jog(jog, Duration::MAX))
-                }
-                Some(Button::Released) => self.released(&jog, t_s),
+            let Some(next) = self.press(button, &jog, t_s) else {
                 // Other commands stay in the queue until the jog has decelerated.
-                _ if ends == Duration::MAX => {
-                    if let Next::Jog(jog, lasts) = self.released(&jog, t_s) {
-                        self.run(&Motion::Jog(jog), at, lasts);
-                    }
-                    return;
+                if ends == Duration::MAX
+                    && let Next::Jog(jog, lasts) = self.released(&jog, t_s)
+                {
+                    self.run(&Motion::Jog(jog), at, lasts);
                 }
-                _ => return,
+                return;
             };
             self.queue.pop_front();
             log.begun();
@@ -268,6 +254,21 @@ impl Specification {
                 self.run(&Motion::Jog(jog), at, lasts);
             }
         }
+    }
+
+    /// Handles a button during a jog; `None` if it has to wait.
+    fn press(&mut self, button: Option<Button>, jog: &JogTrajectory, t_s: f64) -> Option<Next> {
+        match button? {
+            Button::Suction(on) => self.model.suction = on,
+            Button::Laser(on) => self.model.laser = on,
+            Button::Held { axis, share } if axis == jog.axis() => {
+                let next = JogTrajectory::start(&self.model, axis, share, jog.speed_at(t_s));
+                return Some(next.map_or(Next::Go, |jog| Next::Jog(jog, Duration::MAX)));
+            }
+            Button::Held { .. } => return None,
+            Button::Released => return Some(self.released(jog, t_s)),
+        }
+        Some(Next::Go)
     }
 
     fn released(&self, jog: &JogTrajectory, t_s: f64) -> Next {

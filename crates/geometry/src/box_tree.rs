@@ -127,18 +127,25 @@ fn build<T>(
         right: NONE,
     });
     if items.len() > LEAF_ITEMS {
-        let middle = items.len() / 2;
         let by_y = bounds.width() < bounds.height();
-        let key = |item: &T| {
-            let (a, b) = ends(item);
-            if by_y { a.y + b.y } else { a.x + b.x }
-        };
-        items.select_nth_unstable_by(middle, |a, b| key(a).total_cmp(&key(b)));
+        let middle = halve(items, by_y, ends);
         let (left, right) = items.split_at_mut(middle);
         build(nodes, left, start, ends);
         nodes[id as usize].right = build(nodes, right, start + number(middle), ends);
     }
     id
+}
+
+/// Orders the items so that those before the middle one lie before it and the others behind it; returns
+/// its index.
+fn halve<T>(items: &mut [T], by_y: bool, ends: &impl Fn(&T) -> (Point, Point)) -> usize {
+    let middle = items.len() / 2;
+    let key = |item: &T| {
+        let (a, b) = ends(item);
+        if by_y { a.y + b.y } else { a.x + b.x }
+    };
+    items.select_nth_unstable_by(middle, |a, b| key(a).total_cmp(&key(b)));
+    middle
 }
 
 /// The squared distance of a rectangle to a point; 0 inside.

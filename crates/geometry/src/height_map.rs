@@ -33,18 +33,7 @@ impl HeightMap {
             return None;
         }
         let places: Vec<Point> = known.iter().map(|[x, y, _]| Point::new(*x, *y)).collect();
-        let mut matrix = vec![vec![0.0; count + 3]; count + 3];
-        let mut heights = vec![0.0; count + 3];
-        for (row, place) in places.iter().enumerate() {
-            for (column, other) in places.iter().enumerate() {
-                matrix[row][column] = bend(place.distance(*other));
-            }
-            for (column, share) in [1.0, place.x, place.y].into_iter().enumerate() {
-                matrix[row][count + column] = share;
-                matrix[count + column][row] = share;
-            }
-            heights[row] = known[row][2];
-        }
+        let (matrix, heights) = system(known, &places);
         let mut found = solve(&matrix, &heights)?;
         let plane = [found[count], found[count + 1], found[count + 2]];
         found.truncate(count);
@@ -72,6 +61,24 @@ impl HeightMap {
             .sum();
         z0 + slope_x * place.x + slope_y * place.y + bent
     }
+}
+
+/// Returns the equations for the weights of the points and for the plane: matrix and right-hand side.
+fn system(known: &[[f64; 3]], places: &[Point]) -> (Vec<Vec<f64>>, Vec<f64>) {
+    let count = known.len();
+    let mut matrix = vec![vec![0.0; count + 3]; count + 3];
+    let mut heights = vec![0.0; count + 3];
+    for (row, place) in places.iter().enumerate() {
+        for (column, other) in places.iter().enumerate() {
+            matrix[row][column] = bend(place.distance(*other));
+        }
+        for (column, share) in [1.0, place.x, place.y].into_iter().enumerate() {
+            matrix[row][count + column] = share;
+            matrix[count + column][row] = share;
+        }
+        heights[row] = known[row][2];
+    }
+    (matrix, heights)
 }
 
 /// How much a place bends the surface in a distance.

@@ -52,27 +52,33 @@ fn eliminate(
         return None;
     }
     for column in 0..count {
-        let size = |row: &usize| rows[*row][column].abs();
-        let largest = (column..count).max_by(|a, b| size(a).total_cmp(&size(b)))?;
-        rows.swap(column, largest);
-        let (above, rest) = rows.split_at_mut(column);
-        let (pivot_row, below) = rest.split_first_mut()?;
-        let pivot = pivot_row[column];
-        if pivot == 0.0 || !pivot.is_finite() {
-            return None;
-        }
-        for number in &mut pivot_row[column..] {
-            *number /= pivot;
-        }
-        for row in above.iter_mut().chain(below) {
-            let factor = row[column];
-            for (number, pivot) in row[column..].iter_mut().zip(&pivot_row[column..]) {
-                *number -= factor * pivot;
-            }
-        }
+        eliminate_column(&mut rows, column)?;
     }
     let answer = |row: Vec<f64>| row[count..].to_vec();
     Some(rows.into_iter().map(answer).collect())
+}
+
+/// Makes the largest number of a column 1 and the others 0; `None` if they are too small.
+fn eliminate_column(rows: &mut [Vec<f64>], column: usize) -> Option<()> {
+    let size = |row: &usize| rows[*row][column].abs();
+    let largest = (column..rows.len()).max_by(|a, b| size(a).total_cmp(&size(b)))?;
+    rows.swap(column, largest);
+    let (above, rest) = rows.split_at_mut(column);
+    let (pivot_row, below) = rest.split_first_mut()?;
+    let pivot = pivot_row[column];
+    if pivot == 0.0 || !pivot.is_finite() {
+        return None;
+    }
+    for number in &mut pivot_row[column..] {
+        *number /= pivot;
+    }
+    for row in above.iter_mut().chain(below) {
+        let factor = row[column];
+        for (number, pivot) in row[column..].iter_mut().zip(&pivot_row[column..]) {
+            *number -= factor * pivot;
+        }
+    }
+    Some(())
 }
 
 #[cfg(test)]

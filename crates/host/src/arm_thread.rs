@@ -4,7 +4,7 @@ use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-use tokio::runtime::{Builder, Handle};
+use tokio::runtime::{Builder, Handle, Runtime};
 use tokio::sync::oneshot;
 
 use crate::connect::Connecting;
@@ -52,17 +52,7 @@ impl ArmThread {
         thread.spawn(move || {
             priority::of_arm();
             panic_stop.send_on_panic();
-            let work = || {
-                runtime.block_on(async {
-                    match given.await {
-                        Ok((driver, first)) => Box::pin(driver.run(first)).await,
-                        // The station did not start.
-                        Err(_) => Ok(()),
-                    }
-                })
-            };
-            let outcome = catch_unwind(AssertUnwindSafe(work))
-                .unwrap_or_else(|_| Err("the arm thread panicked".to_owned()));
+            let outcome = drive(&runtime, given);
             // The receiver may be gone.
             let _ = over.send(outcome);
         })?;
@@ -107,6 +97,24 @@ impl RunningArmThread {
             Err(_) => Err("the arm thread was aborted".to_owned()),
         }
     }
+}
+
+/// Runs the driver to its end, if the station starts.
+fn drive(
+    runtime: &Runtime,
+    given: oneshot::Receiver<(Driver, Option<Connecting>)>,
+) -> Result<(), String> {
+    let work = || {
+        runtime.block_on(async {
+            match given.await {
+                Ok((driver, first)) => Box::pin(driver.run(first)).await,
+                // The station did not start.
+                Err(_) => Ok(()),
+            }
+        })
+    };
+    catch_unwind(AssertUnwindSafe(work))
+        .unwrap_or_else(|_| Err("the arm thread panicked".to_owned()))
 }
 
 #[cfg(all(test, unix))]

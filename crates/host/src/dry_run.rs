@@ -34,6 +34,19 @@ pub struct DryRun {
     pub depends_on_answers: bool,
 }
 
+impl DryRun {
+    const fn without_times(problems: Vec<Problem>, steps_s: Vec<f64>) -> Self {
+        Self {
+            problems,
+            steps_s,
+            first_s: None,
+            cycle_s: None,
+            total_s: None,
+            depends_on_answers: false,
+        }
+    }
+}
+
 /// Runs each path through a program on the twin, see [`Program::paths`]. Returns the first one, and
 /// the problems of all.
 ///
@@ -72,17 +85,8 @@ pub fn dry_run_program(
 #[must_use]
 pub fn dry_run(program: &Compiled, arm: &PlannedFor) -> DryRun {
     let report = check(program, &arm.rules.policy, arm.model());
-    let steps_s = report.steps_s;
-    let without_times = |problems| DryRun {
-        problems,
-        steps_s: steps_s.clone(),
-        first_s: None,
-        cycle_s: None,
-        total_s: None,
-        depends_on_answers: false,
-    };
     if !report.problems.is_empty() {
-        return without_times(report.problems);
+        return DryRun::without_times(report.problems, report.steps_s);
     }
     let job = NewJob {
         title: "dry run".to_owned(),
@@ -90,14 +94,15 @@ pub fn dry_run(program: &Compiled, arm: &PlannedFor) -> DryRun {
     };
     match times(&job, arm) {
         Ok(times) => DryRun {
-            problems: Vec::new(),
-            steps_s,
             first_s: Some(times.first),
             cycle_s: times.cycle,
             total_s: times.total,
-            depends_on_answers: false,
+            ..DryRun::without_times(Vec::new(), report.steps_s)
         },
-        Err(failed) => without_times(failed.problem(program).into_iter().collect()),
+        Err(failed) => {
+            let problems = failed.problem(program).into_iter().collect();
+            DryRun::without_times(problems, report.steps_s)
+        }
     }
 }
 
@@ -109,6 +114,16 @@ struct Times {
     cycle: Option<f64>,
     /// Of all cycles; `None` if the job repeats until a person ends it.
     total: Option<f64>,
+}
+
+impl Times {
+    const fn once(first: f64) -> Self {
+        Self {
+            first,
+            cycle: None,
+            total: Some(first),
+        }
+    }
 }
 
 /// Why the twin does not execute a job.
@@ -147,18 +162,9 @@ fn times(job: &NewJob, arm: &PlannedFor) -> Result<Times, Failed> {
     let first_s = duration_s(job, arm, 1)?;
     let times = job.program.repeat.map_or(Some(1), |repeat| repeat.times);
     if times == Some(1) {
-        return Ok(Times {
-            first: first_s,
-            cycle: None,
-            total: Some(first_s),
-        });
+        return Ok(Times::once(first_s));
     }
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "it is small"
-    )]
-    let cycles = ((EXECUTED_S / first_s) as u64).clamp(2, 5);
+    let cycles = executed_cycles(first_s);
     let some_s = duration_s(job, arm, cycles)?;
     let all_s = duration_s(job, arm, 2 * cycles)?;
     #[expect(clippy::cast_precision_loss, reason = "2^53 cycles never end")]
@@ -175,6 +181,16 @@ fn times(job: &NewJob, arm: &PlannedFor) -> Result<Times, Failed> {
         cycle: Some(cycle_s),
         total: total_s,
     })
+}
+
+/// Returns how many cycles to run on the twin to see how long one takes.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "it is small"
+)]
+fn executed_cycles(first_s: f64) -> u64 {
+    ((EXECUTED_S / first_s) as u64).clamp(2, 5)
 }
 
 /// Returns the duration of a job with this number of cycles on the twin, in seconds, without waits
@@ -213,24 +229,7 @@ impl TwinRun {
         station.run_for(SETTLED);
         let client = station.client("dry run");
         station.ask(client, Request::TakeLease)?;
-        if let Some(status) = &arm.status {
-            let command = Command::from(move_to(status));
-            // The policy may forbid the way to where the arm stands.
-            if station.ask(client, Request::Command { command }).is_err() {
-                station.guard(&[command.emit(&arm.dialect())]);
-            }
-            station.run_for(ARRIVED);
-        }
-        for command in arm.settings.iter().copied() {
-            station.ask(client, Request::Command { command })?;
-        }
-        if let Some(calibration) = arm.calibration.clone().map(Box::new) {
-            let calibration = Some(calibration);
-            station.ask(client, Request::Calibrate { calibration })?;
-        }
-        if !arm.settings.is_empty() || arm.calibration.is_some() {
-            station.run_for(SETTLED);
-        }
+        prepare(&mut station, client, arm)?;
         let job = station.submit(job)?;
         station.start(client, job)?;
         Ok(Self {
@@ -256,20 +255,27 @@ impl TwinRun {
                     refusal,
                 })?;
             }
-            let latest = self.station.now() + LONGEST;
-            let is_elsewhere = |station: &VirtualStation| {
-                let progress = station.supervisor().job_progress();
-                progress.is_none_or(|progress| progress.0 != completed) || rests(station, self.job)
-            };
-            if !self.station.run_until(latest, is_elsewhere) {
-                return Err(Refusal::BadJob {
-                    index: completed,
-                    why: "the twin does not finish it in two days".to_owned(),
-                    rule: None,
-                }
-                .into());
-            }
+            self.run_on(completed)?;
         }
+        self.outcome(last)
+    }
+
+    /// Runs until another command is executed or the arm rests. `completed` commands are over.
+    fn run_on(&mut self, completed: usize) -> Result<(), Refusal> {
+        let latest = self.station.now() + LONGEST;
+        let is_elsewhere = |station: &VirtualStation| {
+            let progress = station.supervisor().job_progress();
+            progress.is_none_or(|progress| progress.0 != completed) || rests(station, self.job)
+        };
+        if self.station.run_until(latest, is_elsewhere) {
+            return Ok(());
+        }
+        let why = "the twin does not finish it in two days";
+        Err(Refusal::bad_job(completed, why))
+    }
+
+    /// Returns the duration of the completed job. `last` is the number of commands that were over.
+    fn outcome(&mut self, last: usize) -> Result<Duration, Failed> {
         let took = self.elapsed();
         let latest = self.station.now() + SETTLED;
         let is_over =
@@ -316,6 +322,33 @@ impl TwinRun {
         self.waited = self.station.now().saturating_sub(self.started + last_over);
         Ok(())
     }
+}
+
+/// Brings the twin to where the arm stands, and sets its settings and calibration.
+fn prepare(
+    station: &mut VirtualStation,
+    client: ClientId,
+    arm: &PlannedFor,
+) -> Result<(), Refusal> {
+    if let Some(status) = &arm.status {
+        let command = Command::from(move_to(status));
+        // The policy may forbid the way to where the arm stands.
+        if station.ask(client, Request::Command { command }).is_err() {
+            station.guard(&[command.emit(&arm.dialect())]);
+        }
+        station.run_for(ARRIVED);
+    }
+    for command in arm.settings.iter().copied() {
+        station.ask(client, Request::Command { command })?;
+    }
+    if let Some(calibration) = arm.calibration.clone().map(Box::new) {
+        let calibration = Some(calibration);
+        station.ask(client, Request::Calibrate { calibration })?;
+    }
+    if !arm.settings.is_empty() || arm.calibration.is_some() {
+        station.run_for(SETTLED);
+    }
+    Ok(())
 }
 
 /// Returns the move to the joint angles, the pump and the gripper of a status.

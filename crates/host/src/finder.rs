@@ -156,19 +156,27 @@ impl Finder {
             address: candidate.address.clone(),
             device: candidate.device.clone(),
         });
-        let failure = match listen(candidate).await {
-            Ok(found) => return Ok(found),
-            Err(failure) => failure,
-        };
+        let heard = listen(candidate).await;
+        if let Err(failure) = &heard {
+            self.note_failure(candidate, failure, report);
+        }
+        heard
+    }
+
+    fn note_failure(
+        &mut self,
+        candidate: &Candidate,
+        failure: &ProbeFailure,
+        report: &mut impl FnMut(FinderNews),
+    ) {
         tracing::debug!(address = %candidate.address, why = %failure, "no arm is heard there");
         self.failed_attempts
-            .note(candidate, &failure, self.started.elapsed());
+            .note(candidate, failure, self.started.elapsed());
         report(FinderNews::Failed {
             address: candidate.address.clone(),
             why: failure.to_string(),
             hint: failure.hint(),
         });
-        Err(failure)
     }
 }
 
@@ -192,17 +200,18 @@ async fn listen(candidate: &Candidate) -> Result<Found, ProbeFailure> {
                 bytes: listening.into_bytes(),
             });
         }
-        if let Some(error) = match open {
-            Ok(true) => None,
-            Ok(false) => Some(LinkError::Closed),
-            Err(error) => Some(error),
-        } {
+        if let Err(error) = check_open(open) {
             let received = listening.no_status();
             return Err(ProbeFailure::Link { error, received });
         }
         some.clear();
     }
     Err(ProbeFailure::NoStatus(listening.no_status()))
+}
+
+/// Turns the end of a link into an error.
+pub(crate) fn check_open(received: Result<bool, LinkError>) -> Result<(), LinkError> {
+    received?.then_some(()).ok_or(LinkError::Closed)
 }
 
 /// Sends laser off, whatever the arm was sent before.

@@ -2,7 +2,7 @@
 
 use dobot_api::JobPath;
 use dobot_journal::{Job, Journal};
-use dobot_motion::{Model, ReturnWait};
+use dobot_motion::{Model, ReturnWait, Trajectory};
 use dobot_supervisor::{Refusal, draws_below_mm};
 use dobot_wire::Command;
 
@@ -22,21 +22,12 @@ fn walk(mut model: Model, job: &Job, commands: &[Command]) -> Result<JobPath, Re
     let mut return_wait = ReturnWait::new(model.dialect.status_period().as_secs_f64());
     let mut begun_s = 0.0;
     for (index, command) in commands.iter().enumerate() {
-        let trajectory = model.trajectory(command).map_err(|error| Refusal::BadJob {
-            index,
-            why: error.to_string(),
-            rule: None,
-        })?;
+        let trajectory = model
+            .trajectory(command)
+            .map_err(|error| Refusal::bad_job(index, error.to_string()))?;
         let after = model.after(command, &trajectory);
         begun_s += return_wait.before(&model, &trajectory, &after);
-        for (place, after_s) in trajectory.corners() {
-            let position = model.calibrated_place(&place).pose.position;
-            path.path_mm
-                .push([position.x.0, position.y.0, position.z.0].map(rounded));
-            path.commands.push(index);
-            path.marks.push(trajectory.laser());
-            path.until_s.push(rounded(begun_s + after_s));
-        }
+        add_corners(&mut path, (index, begun_s), &model, &trajectory);
         begun_s += trajectory.duration_s().unwrap_or_default();
         model = after;
     }
@@ -44,6 +35,23 @@ fn walk(mut model: Model, job: &Job, commands: &[Command]) -> Result<JobPath, Re
         mark_lowered(&mut path, lift_mm.into());
     }
     Ok(path)
+}
+
+/// Adds the corners of a command, given with the time of its begin in seconds.
+fn add_corners(
+    path: &mut JobPath,
+    (command, begun_s): (usize, f64),
+    model: &Model,
+    trajectory: &Trajectory,
+) {
+    for (place, after_s) in trajectory.corners() {
+        let position = model.calibrated_place(&place).pose.position;
+        path.path_mm
+            .push([position.x.0, position.y.0, position.z.0].map(rounded));
+        path.commands.push(command);
+        path.marks.push(trajectory.laser());
+        path.until_s.push(rounded(begun_s + after_s));
+    }
 }
 
 /// A pen draws where a vector ends closer to the lowest position than to the lift height.

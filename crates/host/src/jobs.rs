@@ -399,20 +399,11 @@ fn planned(
     key.as_deref().map_or(Ok(()), check_key)?;
     job.title = plain(&job.title, usize::MAX);
     check_new(&job)?;
-    let dialect = model.dialect;
-    let plan = JobPlan::new(
-        policy,
-        model,
-        job.commands.clone(),
-        &[],
-        job.lift_mm,
-        0,
-        &job.program,
-    )?;
+    let plan = new_plan(policy, model, &job)?;
     Ok(PlannedJob {
         title: job.title,
         kind: job.kind,
-        dialect,
+        dialect: model.dialect,
         calibration: model.calibration,
         lift_mm: Some(job.lift_mm).filter(|lift_mm| *lift_mm > 0.0),
         created_ms: now_ms,
@@ -422,6 +413,11 @@ fn planned(
         program: job.program,
         key,
     })
+}
+
+fn new_plan(policy: &Policy, model: Model, job: &NewJob) -> Result<JobPlan, Refusal> {
+    let commands = job.commands.clone();
+    JobPlan::new(policy, model, commands, &[], job.lift_mm, 0, &job.program)
 }
 
 /// Checks a job that is to start or resume.
@@ -460,16 +456,7 @@ pub(crate) fn extended(
     model: Model,
 ) -> Result<StartedJob, Refusal> {
     let job = find(journal, given.job)?;
-    let asking = job.program.asking.as_ref();
-    let asking = asking.filter(|asking| asking.answers.len() == given.before);
-    let asking = asking.ok_or(Refusal::NoQuestion(given.job))?;
-    let longer = dobot_teach::continued(asking, given.answer, &job.calibration)
-        .map_err(|error| Refusal::BadAnswer(error.to_string()))?;
-    let longer = NewJob {
-        title: job.title.clone(),
-        ..longer
-    };
-    check_new(&longer)?;
+    let longer = continued(&job, given)?;
     let extension = JobExtension {
         commands: longer.commands,
         pauses: longer.pauses,
@@ -481,15 +468,35 @@ pub(crate) fn extended(
         program: extension.program.clone(),
         ..job
     };
-    let plan = plan_again(policy, &extended, extension.commands.clone(), model);
-    let plan = plan.map_err(|refusal| match refusal {
-        Refusal::BadJob { why, .. } => Refusal::BadAnswer(why),
-        refusal => refusal,
-    })?;
+    let plan =
+        plan_again(policy, &extended, extension.commands.clone(), model).map_err(bad_answer)?;
     journal
         .extend(extended.id, &extension)
         .map_err(|error| journal_refusal(&error))?;
     Ok(StartedJob::new(&extended, plan))
+}
+
+/// Compiles the longer program that follows an answer.
+fn continued(job: &Job, given: GivenAnswer) -> Result<NewJob, Refusal> {
+    let asking = job.program.asking.as_ref();
+    let asking = asking.filter(|asking| asking.answers.len() == given.before);
+    let asking = asking.ok_or(Refusal::NoQuestion(given.job))?;
+    let longer = dobot_teach::continued(asking, given.answer, &job.calibration)
+        .map_err(|error| Refusal::BadAnswer(error.to_string()))?;
+    let longer = NewJob {
+        title: job.title.clone(),
+        ..longer
+    };
+    check_new(&longer)?;
+    Ok(longer)
+}
+
+/// An answer is what makes a command of the longer program bad.
+fn bad_answer(refusal: Refusal) -> Refusal {
+    match refusal {
+        Refusal::BadJob { why, .. } => Refusal::BadAnswer(why),
+        refusal => refusal,
+    }
 }
 
 /// Checks that the commands of a job were made for the arm as it is now.

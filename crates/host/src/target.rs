@@ -64,34 +64,26 @@ impl Target {
         let servo_deg = self.servo_deg.unwrap_or(from.servo_deg);
         let suction = self.suction.unwrap_or(from.suction);
         let gripper_deg = self.gripper_deg.unwrap_or(from.gripper_deg);
-        let (mode, pause_s) = (self.mode, self.pause_s);
         match self.place {
             TargetPlace::Point { mm, rotation_deg } => {
                 let [x_mm, y_mm, z_mm] = mm;
                 let base_deg = y_mm.atan2(x_mm).to_degrees();
-                MoveTo {
-                    x_mm,
-                    y_mm,
-                    z_mm,
+                Command::from(MoveTo {
                     rotation_deg: rotation_deg.unwrap_or(base_deg + servo_deg),
                     suction,
-                    mode,
+                    mode: self.mode,
                     gripper_deg,
-                    pause_s,
-                }
-                .into()
+                    pause_s: self.pause_s,
+                    ..MoveTo::to(x_mm, y_mm, z_mm)
+                })
             }
-            TargetPlace::Joints([base_deg, rear_deg, fore_deg]) => MoveJoints {
-                base_deg,
-                rear_deg,
-                fore_deg,
-                servo_deg,
+            TargetPlace::Joints([base_deg, rear_deg, fore_deg]) => Command::from(MoveJoints {
                 suction,
-                mode,
+                mode: self.mode,
                 gripper_deg,
-                pause_s,
-            }
-            .into(),
+                pause_s: self.pause_s,
+                ..MoveJoints::to([base_deg, rear_deg, fore_deg, servo_deg])
+            }),
         }
     }
 }

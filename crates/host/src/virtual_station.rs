@@ -621,6 +621,10 @@ impl VirtualStation {
         self.supervisor.handle_time(now);
         self.give_due_answer();
         self.write();
+        self.take_outputs();
+    }
+
+    fn take_outputs(&mut self) {
         while let Some(packet) = self.supervisor.poll_bytes() {
             if self.plugged {
                 let packet = packet.to_bytes();

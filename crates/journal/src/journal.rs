@@ -9,7 +9,7 @@ use redb::{ReadOnlyTable, ReadTransaction, ReadableTable, StorageBackend, WriteT
 
 use crate::new_rows::NewRows;
 use crate::offers::keep_outcome;
-use crate::rows::{self, JobRow, check_pauses};
+use crate::rows::{self, JobRow, check_contents};
 use crate::store::{
     CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, MISSING_FACT, OFFERS, PLACES, REFUSALS,
     STEPS, Store, WINDOWS, fact,
@@ -225,9 +225,7 @@ impl Journal {
         if !longer.commands.starts_with(&known) {
             return Err(JournalError::Shorter(id));
         }
-        check_pauses(&longer.pauses, longer.commands.len())?;
-        let program = longer.program.check(longer.commands.len());
-        program.map_err(JournalError::Program)?;
+        check_contents(&longer.pauses, &longer.program, longer.commands.len())?;
         let dialect = row.dialect().map_err(|found| store.damaged(found))?;
         let packets = rows::packets(&longer.commands, &dialect)?;
         let steps = rows::steps_bytes(&longer.program);
@@ -345,18 +343,7 @@ impl Journal {
             });
         }
         let missing = store.read(|look| fact(look, MISSING_FACT))? + store.missing_writes()?;
-        store.write(|change| {
-            // Jobs of earlier formats are read as they are; new ones are written in this format.
-            let mut facts = change.open_table(FACTS)?;
-            facts.insert(FORMAT_FACT, FORMAT)?;
-            facts.insert(MISSING_FACT, missing)?;
-            drop(facts);
-            change.open_table(STEPS)?;
-            change.open_table(PLACES)?;
-            change.open_table(OFFERS)?;
-            change.open_table(REFUSALS)?;
-            note_clean(change, false)
-        })?;
+        store.write(|change| begin_use(change, missing))?;
         Ok(Self {
             store: Mutex::new(store),
             was_clean: clean == 1,
@@ -489,6 +476,20 @@ pub(crate) fn finite(
 /// Returns the place of a job in the list; for a job that was never moved, its number.
 fn place(table: &impl ReadableTable<u64, u64>, job: u64) -> Result<u64, redb::Error> {
     Ok(table.get(job)?.map_or(job, |place| place.value()))
+}
+
+/// Notes the format of new jobs, and that the journal is in use.
+fn begin_use(change: &WriteTransaction, missing: u64) -> Result<(), redb::Error> {
+    // Jobs of earlier formats are read as they are; new ones are written in this format.
+    let mut facts = change.open_table(FACTS)?;
+    facts.insert(FORMAT_FACT, FORMAT)?;
+    facts.insert(MISSING_FACT, missing)?;
+    drop(facts);
+    change.open_table(STEPS)?;
+    change.open_table(PLACES)?;
+    change.open_table(OFFERS)?;
+    change.open_table(REFUSALS)?;
+    note_clean(change, false)
 }
 
 fn note_clean(change: &WriteTransaction, clean: bool) -> Result<(), redb::Error> {

@@ -70,9 +70,8 @@ pub fn window_end(
         ends.extend(more);
         let (before, more) = ends.split_at(before);
         let is_clear = |end: &End| {
-            before
-                .iter()
-                .all(|earlier| earlier.is_distinct_from(end, commands))
+            let mut before = before.iter();
+            before.all(|earlier| earlier.is_distinct_from(end, commands))
         };
         if !more.iter().all(is_clear) {
             break;

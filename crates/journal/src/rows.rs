@@ -52,15 +52,8 @@ const fn unknown() -> JobHistory {
 impl JobRow {
     /// Builds the row of a new queued job.
     pub(crate) fn new(job: &PlannedJob) -> Result<Self, JournalError> {
-        if let Some(lift_mm) = job
-            .lift_mm
-            .filter(|lift| !(lift.is_finite() && *lift > 0.0))
-        {
-            return Err(JournalError::Lift(lift_mm));
-        }
-        check_pauses(&job.pauses, job.commands.len())?;
-        let program = job.program.check(job.commands.len());
-        program.map_err(JournalError::Program)?;
+        job.lift_mm.map_or(Ok(()), check_lift)?;
+        check_contents(&job.pauses, &job.program, job.commands.len())?;
         Ok(Self {
             title: job.title.clone(),
             kind: job.kind,
@@ -159,8 +152,26 @@ impl JobRow {
     }
 }
 
+fn check_lift(lift_mm: f32) -> Result<(), JournalError> {
+    if lift_mm.is_finite() && lift_mm > 0.0 {
+        Ok(())
+    } else {
+        Err(JournalError::Lift(lift_mm))
+    }
+}
+
+/// Checks the pauses and the program of a job with this number of commands.
+pub(crate) fn check_contents(
+    pauses: &[JobPause],
+    program: &JobProgram,
+    commands: usize,
+) -> Result<(), JournalError> {
+    check_pauses(pauses, commands)?;
+    program.check(commands).map_err(JournalError::Program)
+}
+
 /// Checks that pauses are in the order of their commands, each at a different command.
-pub(crate) fn check_pauses(pauses: &[JobPause], commands: usize) -> Result<(), JournalError> {
+fn check_pauses(pauses: &[JobPause], commands: usize) -> Result<(), JournalError> {
     let mut least = 0;
     for (index, pause) in pauses.iter().enumerate() {
         if !(least..commands).contains(&pause.before) {

@@ -262,16 +262,7 @@ pub(crate) fn fact(look: &ReadTransaction, name: &str) -> Result<u64, redb::Erro
 fn failed(file: &str, error: redb::Error) -> JournalError {
     let file = file.to_owned();
     match error {
-        redb::Error::Io(source) if is_full(&source) => JournalError::Full { file, source },
-        redb::Error::Io(source) if source.kind() == ErrorKind::InvalidData => {
-            let found = source.to_string();
-            JournalError::Foreign { file, found }
-        }
-        redb::Error::Io(source) if source.kind() == ErrorKind::UnexpectedEof => {
-            let found = "it ends too early".to_owned();
-            JournalError::Damaged { file, found }
-        }
-        redb::Error::Io(source) => JournalError::Io { file, source },
+        redb::Error::Io(source) => failed_io(file, source),
         error @ (redb::Error::PreviousIo | redb::Error::DatabaseClosed) => {
             let source = io::Error::other(error);
             JournalError::Io { file, source }
@@ -287,6 +278,21 @@ fn failed(file: &str, error: redb::Error) -> JournalError {
             let found = other.to_string();
             JournalError::Damaged { file, found }
         }
+    }
+}
+
+fn failed_io(file: String, source: io::Error) -> JournalError {
+    match source.kind() {
+        _ if is_full(&source) => JournalError::Full { file, source },
+        ErrorKind::InvalidData => {
+            let found = source.to_string();
+            JournalError::Foreign { file, found }
+        }
+        ErrorKind::UnexpectedEof => {
+            let found = "it ends too early".to_owned();
+            JournalError::Damaged { file, found }
+        }
+        _ => JournalError::Io { file, source },
     }
 }
 

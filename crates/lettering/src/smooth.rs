@@ -80,13 +80,8 @@ fn curve(
     points: &mut Vec<Point>,
 ) {
     let chord = unit(d - a);
-    // Mirror the other tangent at a free end, which continues the curve like a circle.
-    let mirrored = |other: Vec2| chord * (2.0 * chord.dot(other)) - other;
-    let (leaving, coming) = match (leaving, coming) {
-        (None, None) => return points.push(d),
-        (Some(from), None) => (from, mirrored(from)),
-        (None, Some(to)) => (mirrored(to), to),
-        (Some(from), Some(to)) => (from, to),
+    let Some((leaving, coming)) = with_mirrored(chord, leaving, coming) else {
+        return points.push(d);
     };
     let reach = a.distance(d) / 3.0;
     let (b, c) = (a + leaving * reach, d - coming * reach);
@@ -98,6 +93,18 @@ fn curve(
     )]
     let count = chords(curve, tolerance).min(MAX_CHORDS) as u32;
     points.extend(corners(curve, count));
+}
+
+/// Returns both tangents of a curve; `None` if both ends are free.
+fn with_mirrored(chord: Vec2, leaving: Option<Vec2>, coming: Option<Vec2>) -> Option<(Vec2, Vec2)> {
+    // Mirror the other tangent at a free end, which continues the curve like a circle.
+    let mirrored = |other: Vec2| chord * (2.0 * chord.dot(other)) - other;
+    match (leaving, coming) {
+        (None, None) => None,
+        (Some(from), None) => Some((from, mirrored(from))),
+        (None, Some(to)) => Some((mirrored(to), to)),
+        (Some(from), Some(to)) => Some((from, to)),
+    }
 }
 
 fn unit(way: Vec2) -> Vec2 {

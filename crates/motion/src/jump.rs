@@ -169,11 +169,8 @@ fn across(
 ) -> Result<Profile, PlanError> {
     let arc_mm = way.base.arc(farthest).abs().0;
     let length_mm = libm::hypot(way.reach.0, arc_mm);
-    let bend_mm = way
-        .base
-        .arc(Millimeters(libm::hypot(2.0 * way.reach.0, arc_mm)))
-        .abs()
-        .0;
+    let bend = Millimeters(libm::hypot(2.0 * way.reach.0, arc_mm));
+    let bend_mm = way.base.arc(bend).abs().0;
     let servo = TimingLaw::of(servo.abs().0, speeds.servo_deg_s, speeds.servo_deg_s2);
     let per_speed_s = (length_mm / speeds.line_mm_s)
         .max(libm::sqrt(2.0 * bend_mm / speeds.line_mm_s2))

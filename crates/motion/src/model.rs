@@ -237,8 +237,7 @@ impl Model {
             Command::JointJog(_) | Command::LinearJog(_) => model.press(command),
             Command::Configuration(configuration) => model.configure(configuration),
             Command::PlaybackAdjustment(adjustment) => {
-                let dialect = model.dialect;
-                model.settings.adjust(adjustment, &dialect);
+                model.settings.adjust(adjustment, &model.dialect);
             }
         }
         model

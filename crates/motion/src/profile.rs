@@ -145,20 +145,9 @@ impl Profile {
         if distance == 0.0 {
             return Self::standstill(start.min(end), a);
         }
-        let (start_v2, end_v2, gain_v2) = (start * start, end * end, 2.0 * a * distance);
-        let (start_speed, end_speed) = if end_v2 > start_v2 + gain_v2 {
-            (start, libm::sqrt(start_v2 + gain_v2))
-        } else if start_v2 > end_v2 + gain_v2 {
-            (libm::sqrt(end_v2 + gain_v2), end)
-        } else {
-            (start, end)
-        };
-        let meet_v2 = 0.5 * (start_speed * start_speed + end_speed * end_speed + gain_v2);
-        let peak_speed = if meet_v2 < max_speed * max_speed {
-            libm::sqrt(meet_v2).max(start_speed).max(end_speed)
-        } else {
-            max_speed
-        };
+        let gain_v2 = 2.0 * a * distance;
+        let (start_speed, end_speed) = reachable_speeds(start, end, gain_v2);
+        let peak_speed = peak_speed([start_speed, end_speed], gain_v2, max_speed);
         let per_a = 1.0 / a;
         let up_s = (peak_speed - start_speed) * per_a;
         let down_s = (peak_speed - end_speed) * per_a;
@@ -201,6 +190,28 @@ impl Profile {
             cruise_from: 0.0,
             duration_s: 0.0,
         }
+    }
+}
+
+/// Lowers the start or the end speed to one that the other one allows, if the squared speed can change by
+/// at most `gain_v2`.
+fn reachable_speeds(start: f64, end: f64, gain_v2: f64) -> (f64, f64) {
+    let (start_v2, end_v2) = (start * start, end * end);
+    if end_v2 > start_v2 + gain_v2 {
+        (start, libm::sqrt(start_v2 + gain_v2))
+    } else if start_v2 > end_v2 + gain_v2 {
+        (libm::sqrt(end_v2 + gain_v2), end)
+    } else {
+        (start, end)
+    }
+}
+
+fn peak_speed([start, end]: [f64; 2], gain_v2: f64, max_speed: f64) -> f64 {
+    let meet_v2 = 0.5 * (start * start + end * end + gain_v2);
+    if meet_v2 < max_speed * max_speed {
+        libm::sqrt(meet_v2).max(start).max(end)
+    } else {
+        max_speed
     }
 }
 

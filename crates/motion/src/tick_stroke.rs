@@ -151,8 +151,7 @@ impl TickStroke {
 
 /// Returns the initial speed and the numbers of ticks that accelerate and decelerate.
 fn ramps(length: f32, [begin, end, max]: [f32; 3], acceleration: f32) -> (f32, i16, i16) {
-    let step = acceleration * TICK_S;
-    let ticks = |change: f32| short(change / step + 0.5);
+    let ticks = |change: f32| short(change / (acceleration * TICK_S) + 0.5);
     let full = (max * max - begin * begin / 2.0 - end * end / 2.0) / acceleration;
     if full <= length {
         return (begin, ticks(max - begin), ticks(max - end));

@@ -1,5 +1,7 @@
 //! A drawing planned vector by vector.
 
+use std::ops::Range;
+
 use dobot_arm::Position;
 use dobot_geometry::{CancelToken, Point, Stroke};
 use dobot_motion::ReturnWait;
@@ -99,18 +101,23 @@ impl Plan {
         for (number, pass) in (0..).zip(passes.iter().filter(|pass| pass.has_strokes())) {
             let before = planner.moves.len();
             planner.pass(number, pass)?;
-            let message = pass.message.clone();
-            plan.breaks
-                .extend(message.map(|message| Break { before, message }));
-            plan.passes.push(PlannedPass {
-                name: pass.name.clone(),
-                color: pass.color,
-                tool: pass.tool,
-                moves: before..planner.moves.len(),
-            });
+            plan.note_pass(pass, before..planner.moves.len());
         }
         plan.moves = planner.finish();
         Ok(plan)
+    }
+
+    fn note_pass(&mut self, pass: &Pass, moves: Range<usize>) {
+        let message = pass.message.clone();
+        let before = moves.start;
+        self.breaks
+            .extend(message.map(|message| Break { before, message }));
+        self.passes.push(PlannedPass {
+            name: pass.name.clone(),
+            color: pass.color,
+            tool: pass.tool,
+            moves,
+        });
     }
 
     /// Divides the long vectors.

@@ -21,15 +21,7 @@ impl Chunk {
         if !is_whole || header.uncompressed_size > MAX_LEN {
             return Err(BAD_RECORD.to_owned());
         }
-        let is_compressed = match header.compression.as_str() {
-            "" => false,
-            "zstd" => true,
-            other => {
-                return Err(format!(
-                    "a chunk is compressed with {other:?}; supported is \"zstd\""
-                ));
-            }
-        };
+        let is_compressed = is_compressed(&header.compression)?;
         let mut reader = LinearReader::new_with_options(LinearReaderOptions {
             skip_start_magic: true,
             skip_end_magic: true,
@@ -64,6 +56,16 @@ impl Chunk {
             }
             self.reader.notify_read(0);
         }
+    }
+}
+
+fn is_compressed(compression: &str) -> Result<bool, String> {
+    match compression {
+        "" => Ok(false),
+        "zstd" => Ok(true),
+        other => Err(format!(
+            "a chunk is compressed with {other:?}; supported is \"zstd\""
+        )),
     }
 }
 

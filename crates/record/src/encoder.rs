@@ -274,20 +274,7 @@ impl Encoder {
                 let time = self.time_at(at_ns);
                 vec![time.bytes_from_arm(&held.packet, Some(held.status))]
             }
-            [first_ns, .., last_ns] => {
-                let time = self.time_at(last_ns);
-                let gaps_ns = held.ends_ns.windows(2).map(|pair| pair[1] - pair[0]);
-                let message = FromArm {
-                    gaps_ns: Some(gaps_ns.collect()),
-                    ..FromArm::new(time.at_s(), &held.packet, Some(held.status))
-                };
-                let message = Message {
-                    since_ns: first_ns,
-                    ..time.own(FROM_ARM, &message)
-                };
-                let views = self.views(time, &held.status);
-                std::iter::once(message).chain(views).collect()
-            }
+            [first_ns, .., last_ns] => self.merged(held, [first_ns, last_ns]),
         };
         messages.extend(
             held.pieces
@@ -295,6 +282,23 @@ impl Encoder {
                 .map(|piece| self.time_at(piece.at_ns).bytes_from_arm(&piece.bytes, None)),
         );
         messages
+    }
+
+    /// Returns the message that replaces statuses from the first to the last time, and the views of the
+    /// last one.
+    fn merged<'t>(&mut self, held: &HeldBack, [first_ns, last_ns]: [u64; 2]) -> Vec<Message<'t>> {
+        let time = self.time_at(last_ns);
+        let gaps_ns = held.ends_ns.windows(2).map(|pair| pair[1] - pair[0]);
+        let message = FromArm {
+            gaps_ns: Some(gaps_ns.collect()),
+            ..FromArm::new(time.at_s(), &held.packet, Some(held.status))
+        };
+        let message = Message {
+            since_ns: first_ns,
+            ..time.own(FROM_ARM, &message)
+        };
+        let views = self.views(time, &held.status);
+        std::iter::once(message).chain(views).collect()
     }
 
     fn time_at(&self, at_ns: u64) -> MessageTime {

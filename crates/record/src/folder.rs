@@ -1,6 +1,6 @@
 //! The folder of recordings.
 
-use std::fs::{File, OpenOptions};
+use std::fs::{DirEntry, File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
@@ -33,26 +33,30 @@ pub fn recordings(folder: &Path) -> io::Result<Vec<RecordedFile>> {
     };
     let mut entries = Vec::new();
     for file in files {
-        let file = file?;
-        let name = file.file_name();
-        let Some((begin, number)) = name.to_str().and_then(parse) else {
-            continue;
-        };
-        match file.metadata() {
-            Ok(metadata) if metadata.is_file() => entries.push(RecordedFile {
-                path: file.path(),
-                bytes: metadata.len(),
-                begin,
-                number,
-            }),
-            // Another program may have deleted it.
-            Ok(_) => {}
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
-            Err(error) => return Err(error),
-        }
+        entries.extend(recorded(&file?)?);
     }
     entries.sort_by_key(|entry| (entry.begin, entry.number));
     Ok(entries)
+}
+
+/// Returns a file if it is a recording.
+fn recorded(file: &DirEntry) -> io::Result<Option<RecordedFile>> {
+    let name = file.file_name();
+    let Some((begin, number)) = name.to_str().and_then(parse) else {
+        return Ok(None);
+    };
+    match file.metadata() {
+        Ok(metadata) if metadata.is_file() => Ok(Some(RecordedFile {
+            path: file.path(),
+            bytes: metadata.len(),
+            begin,
+            number,
+        })),
+        Ok(_) => Ok(None),
+        // Another program may have deleted it.
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(error),
+    }
 }
 
 /// Whether another process is writing this recording: a recorder locks its file until it finishes

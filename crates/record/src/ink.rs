@@ -55,8 +55,7 @@ impl Ink {
         is_vector: bool,
         pen_below_mm: Option<f64>,
     ) {
-        let is_low =
-            |place: Position| pen_below_mm.is_some_and(|pen_below_mm| place.z.0 < pen_below_mm);
+        let is_low = |place: Position| pen_below_mm.is_some_and(|below_mm| place.z.0 < below_mm);
         let Ok(from) = way.place_at(0.0) else {
             return self.end_line();
         };
@@ -67,9 +66,7 @@ impl Ink {
                 self.line_to(at, last, place, way.laser());
             } else {
                 self.end_line();
-                if is_low(place) {
-                    self.open = Some(Line::begin(place, false, is_vector));
-                }
+                self.open = is_low(place).then(|| Line::begin(place, false, is_vector));
             }
             last = place;
         }

@@ -166,16 +166,12 @@ impl Worker {
             let count = self.write_down();
             let repairs = !ended && self.repairs.step();
             // After a full round there may be more.
-            wait = if count < QUEUE_LEN && !repairs {
-                PERIOD
-            } else {
-                Duration::ZERO
-            };
-            idle = if count == 0 {
-                idle + wait
-            } else {
-                Duration::ZERO
-            };
+            let is_busy = count >= QUEUE_LEN || repairs;
+            wait = if is_busy { Duration::ZERO } else { PERIOD };
+            idle += wait;
+            if count > 0 {
+                idle = Duration::ZERO;
+            }
             if idle >= IDLE {
                 self.rotation.handle_idle();
             }
@@ -183,15 +179,19 @@ impl Worker {
             if is_over {
                 self.rotation.finish();
             }
-            self.shared.set_health(Health {
-                repaired: self.repairs.repaired(),
-                left: self.repairs.left(),
-                ..self.rotation.health()
-            });
+            self.report_health();
             if is_over {
                 return;
             }
         }
+    }
+
+    fn report_health(&self) {
+        self.shared.set_health(Health {
+            repaired: self.repairs.repaired(),
+            left: self.repairs.left(),
+            ..self.rotation.health()
+        });
     }
 
     /// Writes one round of queued records; returns their number.

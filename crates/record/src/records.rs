@@ -93,18 +93,7 @@ impl Records {
     fn part(&mut self) -> Result<Option<(u8, Vec<u8>)>, Flaw> {
         // After a failure in the following, nothing more can be read.
         self.over = true;
-        if !self.is_begun {
-            // The power may have failed before.
-            return Err(Flaw::end("the file ends within its header"));
-        }
-        let header = self.read(HEADER_LEN as u64)?;
-        if header.is_empty() {
-            return Err(Flaw::end("the file ends without its end mark"));
-        }
-        let Ok([kind, len @ ..]) = <[u8; HEADER_LEN]>::try_from(header) else {
-            return Err(Flaw::end(CUT));
-        };
-        let len = u64::from_le_bytes(len);
+        let (kind, len) = self.header()?;
         match kind {
             op::FOOTER => self.skip(len).and_then(|()| self.end()).map(|()| None),
             op::CHUNK => {
@@ -125,6 +114,22 @@ impl Records {
                 Ok(None)
             }
         }
+    }
+
+    /// Reads the kind and the length of the next record.
+    fn header(&mut self) -> Result<(u8, u64), Flaw> {
+        if !self.is_begun {
+            // The power may have failed before.
+            return Err(Flaw::end("the file ends within its header"));
+        }
+        let header = self.read(HEADER_LEN as u64)?;
+        if header.is_empty() {
+            return Err(Flaw::end("the file ends without its end mark"));
+        }
+        let Ok([kind, len @ ..]) = <[u8; HEADER_LEN]>::try_from(header) else {
+            return Err(Flaw::end(CUT));
+        };
+        Ok((kind, u64::from_le_bytes(len)))
     }
 
     fn body(&mut self, len: u64) -> Result<Vec<u8>, Flaw> {

@@ -54,6 +54,13 @@ struct Failure {
     retry: Duration,
 }
 
+fn create_folder(folder: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(folder).map_err(|error| Failure {
+        reason: format!("cannot create the folder {}: {error}", folder.display()),
+        retry: Duration::ZERO,
+    })
+}
+
 impl Rotation {
     /// Creates a rotation of recordings whose times count from `start`.
     pub(crate) fn new(
@@ -64,10 +71,7 @@ impl Rotation {
         mut encoder: Encoder,
     ) -> Self {
         encoder.write(Duration::ZERO, &Record::About(Box::new(about.clone())));
-        let trouble = std::fs::create_dir_all(&folder).err().map(|error| Failure {
-            reason: format!("cannot create the folder {}: {error}", folder.display()),
-            retry: Duration::ZERO,
-        });
+        let trouble = create_folder(&folder).err();
         Self {
             folder,
             limits,

@@ -47,15 +47,19 @@ impl Target {
             return None;
         }
         self.reported_at = Some(at);
-        let places = points(&places, tip_mm);
-        let Some(end) = places.last() else {
-            return Some(json!({ "deletions": [removal(time, NAME)], "entities": [] }));
-        };
-        let color = color(TARGET);
-        let lines = [line(&places, LINE_M, &color)];
-        let entity = entity(time, NAME, &lines, &[sphere(end, END_M, &color)]);
-        Some(json!({ "deletions": [], "entities": [entity] }))
+        Some(shown(time, &points(&places, tip_mm)))
     }
+}
+
+/// The target and the paths through these points, or what removes them if there are none.
+fn shown(time: &Value, places: &[Value]) -> Value {
+    let Some(end) = places.last() else {
+        return json!({ "deletions": [removal(time, NAME)], "entities": [] });
+    };
+    let color = color(TARGET);
+    let lines = [line(places, LINE_M, &color)];
+    let entity = entity(time, NAME, &lines, &[sphere(end, END_M, &color)]);
+    json!({ "deletions": [], "entities": [entity] })
 }
 
 /// The points along the paths, in order; none if no command moves or has an end.

@@ -49,14 +49,7 @@ impl Body {
         let [axis_x, axis_y] = arm.axis_mm;
         let (x, y, z) = (position.x.0 - axis_x, position.y.0 - axis_y, position.z.0);
         let reach = x.hypot(y);
-        let (cos_base, sin_base) = if reach == 0.0 {
-            (1.0, 0.0)
-        } else if arm.left_mm == 0.0 {
-            (x / reach, y / reach)
-        } else {
-            let (sin, cos) = place.joints.base.0.to_radians().sin_cos();
-            (cos, sin)
-        };
+        let (cos_base, sin_base) = direction([x, y], reach, place, arm);
         let (sin_rear, cos_rear) = place.joints.rear.0.to_radians().sin_cos();
         let at = |out: f64, z: f64| [axis_x + out * cos_base, axis_y + out * sin_base, z];
         // The hand goes from the wrist to the tool, wherever it is.
@@ -92,6 +85,18 @@ impl Body {
             .max(distance(self.wrist, other.wrist))
             .max(distance(self.tool, other.tool))
     }
+}
+
+/// Returns cosine and sine of the base angle of an arm that reaches `reach` mm to x and y.
+fn direction([x, y]: [f64; 2], reach: f64, place: &ArmPlace, arm: &Calibration) -> (f64, f64) {
+    if reach == 0.0 {
+        return (1.0, 0.0);
+    }
+    if arm.left_mm == 0.0 {
+        return (x / reach, y / reach);
+    }
+    let (sin, cos) = place.joints.base.0.to_radians().sin_cos();
+    (cos, sin)
 }
 
 impl Measure {

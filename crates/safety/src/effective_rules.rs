@@ -175,10 +175,8 @@ impl<'a> EffectiveRules<'a> {
         if let Some(effective) = self.limits.iter().find(outside) {
             return Some(Broken::Limit(effective.limit));
         }
-        let keep_outs = &self.keep_outs;
-        keep_outs
-            .iter()
-            .find_map(|keep_out| keep_out.broken_between(&swept, &a.body, &b.body))
+        let mut keep_outs = self.keep_outs.iter();
+        keep_outs.find_map(|keep_out| keep_out.broken_between(&swept, &a.body, &b.body))
     }
 }
 

@@ -49,23 +49,8 @@ impl KeepOutEdit {
             .as_table_like_mut()
             .ok_or_else(|| refused("keep_out is a value; a policy has a table there"))?;
         match self {
-            Self::Add { keep_out } => {
-                let mut number = 1;
-                while keep_outs.contains_key(&format!("zone_{number}")) {
-                    number += 1;
-                }
-                keep_outs.insert(&format!("zone_{number}"), Item::Value(inline(keep_out)?));
-            }
-            Self::Replace { name, keep_out } => {
-                let mut new = inline(keep_out)?;
-                match named(keep_outs, name)? {
-                    Item::Value(old) => {
-                        *new.decor_mut() = old.decor().clone();
-                        *old = new;
-                    }
-                    old => *old = Item::Value(new),
-                }
-            }
+            Self::Add { keep_out } => add(keep_outs, keep_out)?,
+            Self::Replace { name, keep_out } => replace(keep_outs, name, keep_out)?,
             Self::Remove { name } => {
                 named(keep_outs, name)?;
                 keep_outs.remove(name);
@@ -73,6 +58,31 @@ impl KeepOutEdit {
         }
         Ok(document.to_string())
     }
+}
+
+fn add(keep_outs: &mut dyn TableLike, keep_out: &KeepOut) -> Result<(), PolicyError> {
+    let mut number = 1;
+    while keep_outs.contains_key(&format!("zone_{number}")) {
+        number += 1;
+    }
+    keep_outs.insert(&format!("zone_{number}"), Item::Value(inline(keep_out)?));
+    Ok(())
+}
+
+fn replace(
+    keep_outs: &mut dyn TableLike,
+    name: &str,
+    keep_out: &KeepOut,
+) -> Result<(), PolicyError> {
+    let mut new = inline(keep_out)?;
+    match named(keep_outs, name)? {
+        Item::Value(old) => {
+            *new.decor_mut() = old.decor().clone();
+            *old = new;
+        }
+        old => *old = Item::Value(new),
+    }
+    Ok(())
 }
 
 fn named<'a>(keep_outs: &'a mut dyn TableLike, name: &str) -> Result<&'a mut Item, PolicyError> {

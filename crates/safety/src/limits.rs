@@ -33,16 +33,20 @@ impl Policy {
             limit("workspace.reach", Measure::Reach, space.reach_mm),
         ]);
         if arm.table.is_some() {
-            // The paper was touched with the pen.
-            let longer_mm = self.tool_length.of(tool) - self.tool_length.suction_cup_mm;
-            let lowest_mm = longer_mm - self.table.below_paper_mm;
-            let above = Bounds::new(lowest_mm, HIGHEST_MM);
-            limits.push(limit(BELOW_PAPER, Measure::AboveTable, above));
+            limits.push(self.below_paper(tool));
         }
         if burning {
             limits.extend(burning_limits(&self.laser.area));
         }
         limits
+    }
+
+    fn below_paper(&self, tool: Tool) -> Limit {
+        // The paper was touched with the pen.
+        let longer_mm = self.tool_length.of(tool) - self.tool_length.suction_cup_mm;
+        let lowest_mm = longer_mm - self.table.below_paper_mm;
+        let above = Bounds::new(lowest_mm, HIGHEST_MM);
+        limit(BELOW_PAPER, Measure::AboveTable, above)
     }
 }
 

@@ -179,6 +179,7 @@ impl Turns {
 
 /// The motion of the tool in the vertical plane of the arm, and the turn of that plane: bounds of
 /// first and second derivatives.
+#[derive(Default)]
 struct Flat {
     /// Distance in the plane, in mm.
     way_mm: f64,
@@ -199,9 +200,7 @@ impl Flat {
         if level_mm < LEVEL_MM {
             return Some(Self {
                 way_mm,
-                reach_mm: 0.0,
-                base: 0.0,
-                base_2: 0.0,
+                ..Self::default()
             });
         }
         // The distance from the axis of the infinite line, and of the segment.

@@ -272,12 +272,7 @@ impl Evidence<'_> {
     fn on_trajectory(&self, first: &First) -> (usize, f64) {
         let found = position(&self.seen.status);
         for (index, sent) in self.in_flight.iter().enumerate() {
-            let Some((from, to)) = sent
-                .plan
-                .trajectory
-                .ok()
-                .and_then(|trajectory| trajectory.line())
-            else {
+            let Some((from, to)) = sent.plan.line() else {
                 if sent.plan.is_still() || sent.plan.is_endless() {
                     continue;
                 }

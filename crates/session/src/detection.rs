@@ -7,7 +7,7 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use dobot_arm::{Joints, Position};
-use dobot_motion::{Model, Trajectory, TrajectoryError};
+use dobot_motion::{ArmPlace, Model, Trajectory, TrajectoryError};
 use dobot_wire::{Command, Dialect, Evidence, Finding, Packet, Status};
 
 use self::fit::{duration_s, path_deviation_mm, path_difference_mm};
@@ -231,11 +231,8 @@ impl Detection {
 
     /// Evaluates a question: all its measurements must fit one dialect and not the other.
     fn evidence(&self, question: Question) -> Result<Evidence, DetectionError> {
-        let measurements: Vec<&Measurement> = self
-            .measurements
-            .iter()
-            .filter(|measurement| measurement.question == question)
-            .collect();
+        let all = self.measurements.iter();
+        let measurements: Vec<_> = all.filter(|one| one.question == question).collect();
         let saw = words(question, &measurements);
         let fits = |dialect: usize| {
             let near = question.tolerance();
@@ -372,16 +369,24 @@ fn check_room(
             let place = trajectory
                 .place_at(t_s)
                 .map_err(|error| no_room(error.into()))?;
-            if !allowed(&place.joints) {
-                let Position { x, y, z } = place.pose.position;
-                return Err(DetectionError::NoRoom {
-                    why: format!("{:.1}, {:.1}, {:.1} mm is not allowed", x.0, y.0, z.0),
-                });
-            }
+            check_allowed(&place, allowed)?;
         }
         model = after_step(&model, step);
     }
     Ok(())
+}
+
+fn check_allowed(
+    place: &ArmPlace,
+    allowed: &impl Fn(&Joints) -> bool,
+) -> Result<(), DetectionError> {
+    if allowed(&place.joints) {
+        return Ok(());
+    }
+    let Position { x, y, z } = place.pose.position;
+    Err(DetectionError::NoRoom {
+        why: format!("{:.1}, {:.1}, {:.1} mm is not allowed", x.0, y.0, z.0),
+    })
 }
 
 fn command(model: &Model, step: &DetectionStep) -> Result<Command, TrajectoryError> {

@@ -220,8 +220,13 @@ impl Link {
                 Ok(peer.receive(until, incoming))
             }
             Transport::Stream { stream, opened } => {
-                let deadline = opened.checked_add(until);
-                transfer(stream, &mut self.outgoing, incoming, deadline).await
+                transfer(
+                    stream,
+                    &mut self.outgoing,
+                    incoming,
+                    opened.checked_add(until),
+                )
+                .await
             }
         }
     }

@@ -27,14 +27,7 @@ pub(crate) struct Plan {
 impl Plan {
     pub(crate) fn new(model: &Model, command: &Command) -> Box<Self> {
         let trajectory = model.trajectory(command);
-        let after = if let Ok(trajectory) = &trajectory {
-            model.after(command, trajectory)
-        } else {
-            // It is refused, skipped or cut short: the place of the arm is seen when it rests.
-            let mut after = model.begun(command);
-            after.lose_place();
-            after
-        };
+        let after = model_after(model, command, &trajectory);
         let target = match &trajectory {
             Ok(trajectory) => trajectory.end().map(|end| end.pose.position),
             Err(_) => model.target(command),
@@ -68,6 +61,13 @@ impl Plan {
             ) => Some(SendError::Trap(trap)),
             _ => None,
         }
+    }
+
+    /// The line that it follows, if it does.
+    pub(crate) fn line(&self) -> Option<(Position, Position)> {
+        self.trajectory
+            .ok()
+            .and_then(|trajectory| trajectory.line())
     }
 
     /// Whether it moves nothing and ends immediately.
@@ -126,6 +126,21 @@ impl Plan {
 #[must_use]
 pub fn position(status: &Status) -> Position {
     Position::new(status.x_mm.into(), status.y_mm.into(), status.z_mm.into())
+}
+
+/// Returns the model after a command.
+fn model_after(
+    model: &Model,
+    command: &Command,
+    trajectory: &Result<Trajectory, TrajectoryError>,
+) -> Model {
+    if let Ok(trajectory) = trajectory {
+        return model.after(command, trajectory);
+    }
+    // It is refused, skipped or cut short: the place of the arm is seen when it rests.
+    let mut after = model.begun(command);
+    after.lose_place();
+    after
 }
 
 pub(crate) fn seconds(seconds: f64) -> Duration {

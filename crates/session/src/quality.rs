@@ -85,15 +85,7 @@ impl Meter {
         if !received.is_regular {
             return;
         }
-        if let Some(before) = self.last_regular.replace(now)
-            && had_room
-        {
-            let gap = now.saturating_sub(before);
-            self.note_gap(gap);
-            if gap <= self.period + MAX_JITTER {
-                self.jitter = self.jitter.max(gap.saturating_sub(self.period));
-            }
-        }
+        self.note_regular(now, had_room);
         let status = received.status;
         if self
             .last
@@ -102,6 +94,17 @@ impl Meter {
             && let Some(since) = self.waits_since.take()
         {
             self.note_latency(now.saturating_sub(since));
+        }
+    }
+
+    fn note_regular(&mut self, now: Duration, had_room: bool) {
+        let Some(before) = self.last_regular.replace(now).filter(|_| had_room) else {
+            return;
+        };
+        let gap = now.saturating_sub(before);
+        self.note_gap(gap);
+        if gap <= self.period + MAX_JITTER {
+            self.jitter = self.jitter.max(gap.saturating_sub(self.period));
         }
     }
 

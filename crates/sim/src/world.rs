@@ -144,14 +144,18 @@ impl World {
             self.arm = Some(to);
             return;
         }
-        let pieces = from.pieces(&to);
-        let mut last = from;
+        self.advance_in_pieces(&from, &to);
+        self.arm = Some(to);
+    }
+
+    fn advance_in_pieces(&mut self, from: &ArmMoment, to: &ArmMoment) {
+        let pieces = from.pieces(to);
+        let mut last = *from;
         for piece in 1..=pieces {
-            let next = from.towards(&to, piece, pieces, &self.scene.tool);
+            let next = from.towards(to, piece, pieces, &self.scene.tool);
             self.advance(&last, &next);
             last = next;
         }
-        self.arm = Some(to);
     }
 
     /// Takes the events since the last call in order; at most the last 100 are kept.

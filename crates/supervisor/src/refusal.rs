@@ -201,6 +201,16 @@ pub struct Holder {
 }
 
 impl Refusal {
+    /// Returns the refusal of a job because of a command, counted from 0, that breaks no rule of the policy.
+    #[must_use]
+    pub fn bad_job(index: usize, why: impl Into<String>) -> Self {
+        Self::BadJob {
+            index,
+            why: why.into(),
+            rule: None,
+        }
+    }
+
     /// Returns the kind of refusal: the last part of the problem type's URL.
     #[must_use]
     pub fn kind(&self) -> &'static str {

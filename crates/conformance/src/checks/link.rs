@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_arm::{Degrees, Joints, Limits, Pose, Position, inverse};
+use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Tool, inverse};
 use dobot_wire::{PACKET_LEN, Status};
 
 use crate::blocker::Blocker;
@@ -63,11 +63,7 @@ fn spacing(seen: &[TimedStatus], period_ms: f64) -> Outcome {
         return Outcome::Differs(format!("only {} statuses were received", seen.len()));
     };
     let total = last.at.saturating_sub(first.at);
-    let mut spans: Vec<f64> = seen
-        .windows(2)
-        .map(|it| ms(it[1].at.saturating_sub(it[0].at)))
-        .collect();
-    spans.sort_by(f64::total_cmp);
+    let spans = sorted_spans_ms(seen);
     let at = |share: usize| spans.get(share).copied().unwrap_or_default();
     let (least, middle, most) = (at(0), at(spans.len() / 2), at(spans.len() - 1));
     let mean_ms = ms(total / steps);
@@ -86,6 +82,14 @@ fn spacing(seen: &[TimedStatus], period_ms: f64) -> Outcome {
         ));
     }
     Outcome::Differs(found)
+}
+
+fn sorted_spans_ms(seen: &[TimedStatus]) -> Vec<f64> {
+    let pairs = seen.windows(2);
+    let spans = pairs.map(|it| ms(it[1].at.saturating_sub(it[0].at)));
+    let mut spans: Vec<f64> = spans.collect();
+    spans.sort_by(f64::total_cmp);
+    spans
 }
 
 /// Whether position and angles agree, over all statuses.
@@ -156,23 +160,22 @@ fn cramped(start: &Status) -> Option<String> {
         .or_else(|| room("forearm", fore.0, -5.0, 90.0))
         .or_else(|| room("servo", start.servo_deg.into(), -80.0, 80.0))
         .or_else(|| room("gripper", start.gripper_deg.into(), -80.0, 80.0));
-    joints.or_else(|| {
-        corners(start).find_map(|position| {
-            let pose = Pose {
-                position,
-                ..Pose::default()
-            };
-            let joints = inverse(&pose, tool);
-            let joints = joints.map(|it| Joints {
-                servo: Degrees(0.0),
-                ..it
-            });
-            let checked = joints.and_then(|it| Limits::STOCK.check_at(&it, position));
-            checked
-                .err()
-                .map(|error| format!("too near to a limit: {error}"))
-        })
-    })
+    joints.or_else(|| corners(start).find_map(|position| near_limit(position, tool)))
+}
+
+fn near_limit(position: Position, tool: Tool) -> Option<String> {
+    let pose = Pose {
+        position,
+        ..Pose::default()
+    };
+    let joints = inverse(&pose, tool);
+    let joints = joints.map(|it| Joints {
+        servo: Degrees(0.0),
+        ..it
+    });
+    let checked = joints.and_then(|it| Limits::STOCK.check_at(&it, position));
+    let error = checked.err()?;
+    Some(format!("too near to a limit: {error}"))
 }
 
 /// The corners of the space needed by the checks.

@@ -8,7 +8,7 @@ use super::ahead::Ahead;
 use crate::outputs::{Hands, servo_value};
 
 /// The controller's estimate of the arm. Pulses never feed back into it.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 #[expect(
     clippy::struct_excessive_bools,
     reason = "each is a flag of the stock controller's own"
@@ -50,25 +50,13 @@ impl Body {
                 fore_deg: sensed(fore_deg),
                 ..StockJoints::default()
             },
-            pose: StockPose::default(),
-            gripper_deg: 0.0,
             tool_mm: LONG_TOOL_MM,
             hands: Hands {
                 head_servo: servo_value(0.0),
                 gripper_servo: servo_value(0.0),
-                pump: false,
-                valve: false,
-                laser: false,
+                ..Hands::default()
             },
-            motion_deg: [0.0; 3],
-            is_driven: false,
-            repeats: false,
-            forgiven: false,
-            forgave: false,
-            is_planned: false,
-            start: [0.0; 3],
-            is_settled: false,
-            ahead: Ahead::default(),
+            ..Self::default()
         }
     }
 

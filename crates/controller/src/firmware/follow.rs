@@ -107,7 +107,16 @@ impl Follow {
             FollowKind::Gesture => self.gestured(sample, settings, body)?,
             FollowKind::Joints => (within_limits(self.history.joint_average(sample))?, JOINTS_S),
         };
-        let from = body.joints;
+        self.set_speeds(body.joints, to, period_s)
+    }
+
+    /// Sets the speeds that lead to these angles within a period, unless all are already there.
+    fn set_speeds(
+        &mut self,
+        from: StockJoints,
+        to: StockJoints,
+        period_s: f32,
+    ) -> Result<(), TickOutcome> {
         let ways = [
             to.base_deg - from.base_deg,
             to.rear_deg - from.rear_deg,
@@ -157,17 +166,7 @@ impl Follow {
         let [x, y, z] = self.history.hand_average(sample);
         let (x_mm, y_mm) = (130.0 + (0.5 * x + 100.0), y);
         let z_mm = 0.5 * (z - 200.0) + settings.lowest_mm;
-        let [dx, dy, dz] = [
-            x_mm - body.pose.x_mm,
-            y_mm - body.pose.y_mm,
-            z_mm - body.pose.z_mm,
-        ];
-        let distance_mm = libm::sqrtf(dx * dx + dy * dy + dz * dz);
-        let period_s = if distance_mm > NEAR_MM {
-            distance_mm / GESTURE_MM_S
-        } else {
-            GESTURE_S
-        };
+        let period_s = gesture_period_s([x_mm, y_mm, z_mm], body);
         let pose = StockPose {
             x_mm,
             y_mm,
@@ -247,6 +246,21 @@ impl History {
             self.samples[self.len()] = sample;
             self.count += 1;
         }
+    }
+}
+
+/// The period of a gesture to a place, in seconds.
+fn gesture_period_s([x_mm, y_mm, z_mm]: [f32; 3], body: &Body) -> f32 {
+    let [dx, dy, dz] = [
+        x_mm - body.pose.x_mm,
+        y_mm - body.pose.y_mm,
+        z_mm - body.pose.z_mm,
+    ];
+    let distance_mm = libm::sqrtf(dx * dx + dy * dy + dz * dz);
+    if distance_mm > NEAR_MM {
+        distance_mm / GESTURE_MM_S
+    } else {
+        GESTURE_S
     }
 }
 

@@ -54,12 +54,7 @@ impl Jog {
             13 => return press(body, |body| body.hands.laser = true),
             14 => return press(body, |body| body.hands.laser = false),
             axis @ (1..=8 | 11 | 12) => {
-                let is_exchanged = port == Port::Bluetooth && frame.float(1) == JOINT_JOG;
-                let axis = if kind == JogKind::Joint && is_exchanged {
-                    exchanged(axis)
-                } else {
-                    axis
-                };
+                let axis = received_axis(kind, axis, frame, port);
                 self.hold(kind, axis, frame.float(8), settings, body)
             }
             axis => TickOutcome::hangs(Hang::JogAxis(axis)),
@@ -82,19 +77,12 @@ impl Jog {
         let max = ramp.speed * (percent / 100.0);
         self.acceleration = ramp.acceleration;
         let change = self.acceleration * PERIOD_S;
-        if axis % 2 == 1 {
-            self.speed = if self.speed < max {
-                self.speed + change
-            } else {
-                max
-            };
+        let sign = if axis % 2 == 1 { 1.0 } else { -1.0 };
+        self.speed = if sign * self.speed < max {
+            self.speed + sign * change
         } else {
-            self.speed = if self.speed > -max {
-                self.speed - change
-            } else {
-                -max
-            };
-        }
+            sign * max
+        };
         TickOutcome::over(self.advance(kind, body))
     }
 
@@ -155,6 +143,16 @@ const fn ramp(kind: JogKind, axis: i16, settings: &StockSettings) -> RampSetting
         (7 | 8 | 11 | 12, _) => settings.jog_servo,
         (_, JogKind::Joint) => settings.jog_joint,
         (_, JogKind::Linear) => settings.jog_line,
+    }
+}
+
+/// The axis that a button moves.
+fn received_axis(kind: JogKind, axis: i16, frame: &Frame, port: Port) -> i16 {
+    let is_exchanged = port == Port::Bluetooth && frame.float(1) == JOINT_JOG;
+    if kind == JogKind::Joint && is_exchanged {
+        exchanged(axis)
+    } else {
+        axis
     }
 }
 

@@ -48,22 +48,11 @@ impl StraightLine {
         ramp: RampSettings,
     ) {
         body.begin();
-        let RampSettings {
-            speed,
-            acceleration,
-        } = ramp;
-        // If one of the two is NaN, the line counts as short.
-        let (ramp_s, cruise_s, peak) = if speed * speed / acceleration < length {
-            let cruise_s = (length - speed * speed / acceleration) / speed;
-            (speed / acceleration, cruise_s, speed)
-        } else {
-            let peak = libm::sqrtf(acceleration * length);
-            (peak / acceleration, 0.0, peak)
-        };
+        let (ramp_s, cruise_s, peak) = profile(length, ramp);
         *self = Self {
             direction,
             length,
-            acceleration,
+            acceleration: ramp.acceleration,
             peak,
             ramp_s,
             cruise_s,
@@ -127,6 +116,22 @@ impl StraightLine {
         } else {
             self.peak - self.acceleration * (t_s - self.ramp_s - self.cruise_s)
         }
+    }
+}
+
+/// The durations of acceleration and of constant speed in seconds, and the highest speed.
+fn profile(length: f32, ramp: RampSettings) -> (f32, f32, f32) {
+    let RampSettings {
+        speed,
+        acceleration,
+    } = ramp;
+    // If one of the two is NaN, the line counts as short.
+    if speed * speed / acceleration < length {
+        let cruise_s = (length - speed * speed / acceleration) / speed;
+        (speed / acceleration, cruise_s, speed)
+    } else {
+        let peak = libm::sqrtf(acceleration * length);
+        (peak / acceleration, 0.0, peak)
     }
 }
 

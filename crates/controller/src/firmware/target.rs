@@ -117,6 +117,11 @@ impl Travel {
             let endless = !way.total_s(self.jump.as_ref(), line).is_finite();
             return TickOutcome::hangs_if(endless, Hang::NeverArrives);
         }
+        self.arrive(frame, progress)
+    }
+
+    /// Begins the pause at the end of a motion.
+    fn arrive(&mut self, frame: &Frame, progress: Progress) -> TickOutcome {
         self.jump = None;
         self.pause = Some(Pause::default());
         let waiting = self.wait(frame);
@@ -152,45 +157,29 @@ impl Travel {
         line: &mut StraightLine,
         body: &mut Body,
     ) -> Option<TargetMove> {
-        let f = |n| frame.float(n);
-        let joints = StockJoints {
-            base_deg: f(3),
-            rear_deg: f(4),
-            fore_deg: f(5),
-            servo_deg: f(6),
-        };
-        let pose = match kind {
-            TargetKind::Pose => StockPose {
-                x_mm: f(3),
-                y_mm: f(4),
-                z_mm: f(5),
-                rotation_deg: f(6),
-            },
-            TargetKind::Joints => forward(joints, body.tool_mm),
-        };
-        match (short(f(8)), kind) {
+        let (joints, pose) = target(kind, frame, body.tool_mm);
+        match (short(frame.float(8)), kind) {
             (MOVL, _) => {
-                line.plan(
-                    body,
-                    [pose.x_mm, pose.y_mm, pose.z_mm],
-                    settings.line_ramp(),
-                );
-                Some(TargetMove::Line(match kind {
-                    TargetKind::Pose => ServoEnd::Rotation(f(6)),
-                    TargetKind::Joints => ServoEnd::Servo(f(6)),
-                }))
+                let to = [pose.x_mm, pose.y_mm, pose.z_mm];
+                line.plan(body, to, settings.line_ramp());
+                Some(TargetMove::Line(ServoEnd::of(kind, frame.float(6))))
             }
             (JUMP, _) => {
-                if let Some(jump) = &mut self.jump {
-                    jump.resume();
-                } else {
-                    body.begin();
-                    self.jump = Some(Jump::plan(body.pose, pose, settings.jump_height_mm));
-                }
+                self.plan_jump(pose, settings, body);
                 Some(TargetMove::Jump)
             }
             (_, TargetKind::Joints) => Some(TargetMove::joints(joints, settings, body)),
             (_, TargetKind::Pose) => Some(TargetMove::joints(solve(pose, body)?, settings, body)),
+        }
+    }
+
+    /// Plans a JUMP, or resumes an interrupted one.
+    fn plan_jump(&mut self, to: StockPose, settings: &StockSettings, body: &mut Body) {
+        if let Some(jump) = &mut self.jump {
+            jump.resume();
+        } else {
+            body.begin();
+            self.jump = Some(Jump::plan(body.pose, to, settings.jump_height_mm));
         }
     }
 }
@@ -218,16 +207,7 @@ impl TargetMove {
                 }
                 progress
             }
-            Self::Line(end) => {
-                let progress = line.tick(body);
-                if progress == Progress::Arrived {
-                    body.set_servo(match *end {
-                        ServoEnd::Rotation(rotation_deg) => rotation_deg - body.joints.base_deg,
-                        ServoEnd::Servo(servo_deg) => servo_deg,
-                    });
-                }
-                progress
-            }
+            Self::Line(end) => end.tick(line, body),
             Self::Jump => match jump {
                 Some(jump) => jump.tick(settings, body),
                 None => Progress::Arrived,
@@ -244,6 +224,27 @@ impl TargetMove {
                 phase.map_or(0.0, |phase| phase.total_s)
             }
         }
+    }
+}
+
+impl ServoEnd {
+    const fn of(kind: TargetKind, angle_deg: f32) -> Self {
+        match kind {
+            TargetKind::Pose => Self::Rotation(angle_deg),
+            TargetKind::Joints => Self::Servo(angle_deg),
+        }
+    }
+
+    /// Runs a tick of the line at whose end the servo turns.
+    fn tick(self, line: &mut StraightLine, body: &mut Body) -> Progress {
+        let progress = line.tick(body);
+        if progress == Progress::Arrived {
+            body.set_servo(match self {
+                Self::Rotation(rotation_deg) => rotation_deg - body.joints.base_deg,
+                Self::Servo(servo_deg) => servo_deg,
+            });
+        }
+        progress
     }
 }
 
@@ -295,6 +296,27 @@ pub(crate) fn solve(pose: StockPose, body: &Body) -> Option<StockJoints> {
         || joints.fore_deg < FORE_DEG[0]
         || joints.fore_deg > FORE_DEG[1];
     (!refused).then_some(joints)
+}
+
+/// The target of a frame as joint angles and as a pose. The angles count only if the frame has angles.
+fn target(kind: TargetKind, frame: &Frame, tool_mm: f32) -> (StockJoints, StockPose) {
+    let [first, second, third, last] = [3, 4, 5, 6].map(|n| frame.float(n));
+    let joints = StockJoints {
+        base_deg: first,
+        rear_deg: second,
+        fore_deg: third,
+        servo_deg: last,
+    };
+    let pose = match kind {
+        TargetKind::Pose => StockPose {
+            x_mm: first,
+            y_mm: second,
+            z_mm: third,
+            rotation_deg: last,
+        },
+        TargetKind::Joints => forward(joints, tool_mm),
+    };
+    (joints, pose)
 }
 
 /// Sets pump and gripper at the end of a motion.

@@ -39,7 +39,6 @@ impl Write {
         }
         if !body.is_planned {
             self.plan(frame, settings, body);
-            body.is_planned = true;
         }
         let outcome = if frame.float(6) == 1.0 {
             body.hands.laser = false;
@@ -57,20 +56,14 @@ impl Write {
 
     fn plan(&mut self, frame: &Frame, settings: &StockSettings, body: &mut Body) {
         let f = |n| frame.float(n);
-        // In another mode the vector keeps z and acceleration of the previous one.
-        let [_, _, z_before] = self.vector;
-        let (z, factor) = match (f(2), lit(frame)) {
-            (WRITING, _) => (f(5), Some(1.0)),
-            (LASER, Some(lit)) => (0.0, Some(if lit { 1.0 } else { RAPID_FACTOR })),
-            (LASER, None) => (0.0, None),
-            _ => (z_before, None),
-        };
+        let (z, factor) = self.z_and_factor(frame);
         self.vector = [-f(3), f(4), z];
         self.length = libm::sqrtf(f(3) * f(3) + f(4) * f(4) + f(5) * f(5));
         if let Some(factor) = factor {
             self.acceleration = factor * settings.write_acceleration;
         }
         body.begin();
+        body.is_planned = true;
         self.next = None;
         let (end, max) = (f(9), f(10));
         // NaN is not above it.
@@ -83,6 +76,18 @@ impl Write {
         } else {
             self.progress.begin(None);
             self.end_speed = if end > max { max } else { end };
+        }
+    }
+
+    /// The z component of a vector, and the factor of its acceleration. In another mode the vector keeps
+    /// z and acceleration of the previous one.
+    fn z_and_factor(&self, frame: &Frame) -> (f32, Option<f32>) {
+        let [_, _, z_before] = self.vector;
+        match (frame.float(2), lit(frame)) {
+            (WRITING, _) => (frame.float(5), Some(1.0)),
+            (LASER, Some(lit)) => (0.0, Some(if lit { 1.0 } else { RAPID_FACTOR })),
+            (LASER, None) => (0.0, None),
+            _ => (z_before, None),
         }
     }
 

@@ -57,10 +57,8 @@ impl StationClient {
         let mut until = pressed + STARTS_WITHIN;
         while self.now() < until {
             let left = beat.min(until).saturating_sub(self.now());
-            if let Some(StationEvent::State(state)) = self.next_within(left).await?
-                && !*has_moved
-                && state.arm.is_some_and(|arm| arm.status != *before)
-            {
+            let event = self.next_within(left).await?;
+            if !*has_moved && event.is_some_and(|event| shows_motion(&event, before)) {
                 *has_moved = true;
                 // Press and release take equally long to the arm, unless the press had to wait.
                 until = pressed.max(self.now().saturating_sub(RESPONSE)) + time;
@@ -91,6 +89,15 @@ impl StationClient {
             _ => Ok(JogEnd { arm, has_moved }),
         }
     }
+}
+
+/// Returns whether a state shows that the arm has moved.
+fn shows_motion(event: &StationEvent, before: &Status) -> bool {
+    let StationEvent::State(state) = event else {
+        return false;
+    };
+    let arm = state.arm.as_ref();
+    arm.is_some_and(|arm| arm.status != *before)
 }
 
 /// The period of the requests that hold a button: a third of the time after which a station releases it.

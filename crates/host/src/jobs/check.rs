@@ -65,14 +65,11 @@ fn check_place(job: &NewJob, before: usize, least: usize) -> Result<(), Refusal>
     let last = before.checked_sub(1).map(|before| &job.commands[before]);
     match last {
         Some(Command::WriteVector(vector)) if !vector.stop && vector.end_speed_mm_s > 0.0 => {
-            Err(Refusal::BadJob {
-                index: before,
-                why: format!(
-                    "a pause is before it, and the previous vector ends at {} mm/s; allowed is 0",
-                    vector.end_speed_mm_s
-                ),
-                rule: None,
-            })
+            let why = format!(
+                "a pause is before it, and the previous vector ends at {} mm/s; allowed is 0",
+                vector.end_speed_mm_s
+            );
+            Err(Refusal::bad_job(before, why))
         }
         _ => Ok(()),
     }

@@ -99,13 +99,7 @@ impl Guard {
         {
             self.line.extend_from_slice(&packet.to_bytes());
         }
-        if !self.line.is_empty() {
-            match write_some(port, &self.line) {
-                WriteOutcome::Some(written) => drop(self.line.drain(..written)),
-                WriteOutcome::Later => {}
-                WriteOutcome::Gone => gone = true,
-            }
-        }
+        gone |= self.write(port);
         if gone {
             // There is no port any more.
             self.line.clear();
@@ -114,6 +108,19 @@ impl Guard {
         }
         self.report();
         Ok(())
+    }
+
+    /// Writes what waits for the arm; returns whether the port is gone.
+    fn write(&mut self, port: &impl AsFd) -> bool {
+        if self.line.is_empty() {
+            return false;
+        }
+        match write_some(port, &self.line) {
+            WriteOutcome::Some(written) => drop(self.line.drain(..written)),
+            WriteOutcome::Later => {}
+            WriteOutcome::Gone => return true,
+        }
+        false
     }
 
     fn receive_heartbeats(&mut self, heartbeats: &impl AsFd) -> io::Result<()> {

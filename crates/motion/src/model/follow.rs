@@ -36,12 +36,7 @@ fn mouse_step(
 ) -> Result<Trajectory, TrajectoryError> {
     let [swing, longer, higher] = average.map(f64::from);
     let from = model.place;
-    let reach = from.pose.position.reach() + Millimeters(MOUSE_MM * longer);
-    let z_mm = from.pose.position.z.0 + MOUSE_MM * higher;
-    let ahead = Pose {
-        position: Position::new(reach.0, 0.0, within_height(z_mm, model.tool)),
-        rotation: Degrees(0.0),
-    };
+    let ahead = pose_ahead(&from.pose, [longer, higher], model.tool);
     let arms = Limits::STOCK.solve(&ahead, model.tool)?;
     let base = from.joints.base + Degrees(-MOUSE_DEG * swing);
     let servo = match Degrees(by.rotation_deg.into()) {
@@ -57,6 +52,16 @@ fn mouse_step(
     // stop.
     let sure = [true, model.knows_place, model.knows_place];
     joint_step(to, FOLLOW_S, sure, model)
+}
+
+/// The pose straight ahead with another reach and height.
+fn pose_ahead(from: &Pose, [longer, higher]: [f64; 2], tool: Tool) -> Pose {
+    let reach = from.position.reach() + Millimeters(MOUSE_MM * longer);
+    let z_mm = from.position.z.0 + MOUSE_MM * higher;
+    Pose {
+        position: Position::new(reach.0, 0.0, within_height(z_mm, tool)),
+        rotation: Degrees(0.0),
+    }
 }
 
 /// Plans a move to the position of a hand, scaled to the arm.
@@ -111,31 +116,15 @@ fn joint_step(
     model: &Model,
 ) -> Result<Trajectory, TrajectoryError> {
     let from = model.place.joints;
-    let ways = [
-        to.base - from.base,
-        to.rear - from.rear,
-        to.fore - from.fore,
-    ];
+    let ways = ways(&from, &to);
     let longest_deg = longest(ways, [true; 3]);
     if longest(ways, sure) < STEP_DEG {
         return Err(TrajectoryError::NothingToFollow);
     }
     let ticks = libm::floor(period_s / TICK_S + ROUNDING);
     let share = (ticks * TICK_S / period_s).min(1.0);
-    let part = |from: Degrees, way: Degrees| from + Degrees(way.0 * share);
-    let end = Joints {
-        base: part(from.base, ways[0]),
-        rear: part(from.rear, ways[1]),
-        fore: part(from.fore, ways[2]),
-        servo: to.servo,
-    };
-    let even = Speeds {
-        joint_deg_s: longest_deg / period_s,
-        joint_deg_s2: NO_RAMP_DEG_S2,
-        servo_deg_s: NO_RAMP_DEG_S2,
-        servo_deg_s2: NO_RAMP_DEG_S2,
-        ..Speeds::STOCK
-    };
+    let end = part_way(&from, &to, share);
+    let even = even_speeds(longest_deg / period_s);
     let motion = Motion::Joints(JointMove::new(from, end, &even)?);
     let trajectory = Trajectory::moving(motion, ArmPlace::at_joints(end, model.tool), model);
     // With a whole number of ticks, rounding may make it one less.
@@ -144,6 +133,37 @@ fn joint_step(
         knows_end: trajectory.knows_end && clear,
         ..trajectory
     })
+}
+
+/// Returns the joint angles after a share of the ways; the servo is at its end.
+fn part_way(from: &Joints, to: &Joints, share: f64) -> Joints {
+    let [base, rear, fore] = ways(from, to).map(|way| Degrees(way.0 * share));
+    Joints {
+        base: from.base + base,
+        rear: from.rear + rear,
+        fore: from.fore + fore,
+        servo: to.servo,
+    }
+}
+
+/// Returns the ways of base, rear arm and forearm.
+pub(super) fn ways(from: &Joints, to: &Joints) -> [Degrees; 3] {
+    [
+        to.base - from.base,
+        to.rear - from.rear,
+        to.fore - from.fore,
+    ]
+}
+
+/// Returns the speeds of a move whose slowest joint moves evenly, without ramps.
+fn even_speeds(joint_deg_s: f64) -> Speeds {
+    Speeds {
+        joint_deg_s,
+        joint_deg_s2: NO_RAMP_DEG_S2,
+        servo_deg_s: NO_RAMP_DEG_S2,
+        servo_deg_s2: NO_RAMP_DEG_S2,
+        ..Speeds::STOCK
+    }
 }
 
 fn longest(ways: [Degrees; 3], counts: [bool; 3]) -> f64 {

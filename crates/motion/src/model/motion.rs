@@ -1,7 +1,7 @@
 //! The kinds of motion.
 
 use crate::{ArmPlace, JogTrajectory, JointMove, Jump, LineMove, Stroke};
-use dobot_arm::{Degrees, Millimeters, Pose, Tool, Unreachable};
+use dobot_arm::{Degrees, Millimeters, Pose, Position, Tool, Unreachable};
 
 use super::lifts::Lifts;
 use super::stretched_move::StretchedMove;
@@ -53,11 +53,7 @@ impl Motion {
             } => {
                 let mut position = stroke.position_at(t_s);
                 position.z = held_z.unwrap_or(position.z);
-                let pose = Pose {
-                    position,
-                    rotation: *rotation,
-                };
-                ArmPlace::at_pose(pose, tool)
+                ArmPlace::at_pose(turned(position, *rotation), tool)
             }
             Self::Jog(jog) | Self::RunDown(jog) => jog.place_at(t_s),
         })
@@ -77,4 +73,8 @@ impl Motion {
             Self::RunDown(jog) => Some(jog.change_s()),
         }
     }
+}
+
+const fn turned(position: Position, rotation: Degrees) -> Pose {
+    Pose { position, rotation }
 }

@@ -66,24 +66,7 @@ impl Target {
         command: &Command,
     ) -> Result<Trajectory, TrajectoryError> {
         let to = self.place(model)?;
-        let speeds = model.settings.move_speeds();
-        let height = model.settings.jump_height;
-        let from = model.place;
-        let motion = match mode {
-            MovingMode::Jump if model.dialect.jumps_by_joints => Motion::Lifts(Lifts::new(
-                from, to.pose, to.joints, height, &speeds, model.tool,
-            )?),
-            MovingMode::Jump => Motion::Jump(Jump::new(from.pose, to.pose, height, &speeds)?),
-            MovingMode::MovL => line(model, to.pose)?,
-            MovingMode::MovJ if model.dialect.stretches_joints => {
-                let speeds = Speeds {
-                    servo_deg_s2: speeds.joint_deg_s2,
-                    ..speeds
-                };
-                Motion::Stretched(StretchedMove::new(from.joints, to.joints, &speeds)?)
-            }
-            MovingMode::MovJ => Motion::Joints(JointMove::new(from.joints, to.joints, &speeds)?),
-        };
+        let motion = motion(model, mode, &to)?;
         Ok(Trajectory {
             pause_s: model.pause_s(command),
             // The target defines its end, whatever the start.
@@ -91,6 +74,27 @@ impl Target {
             ..Trajectory::moving(motion, to, model)
         })
     }
+}
+
+fn motion(model: &Model, mode: MovingMode, to: &ArmPlace) -> Result<Motion, TrajectoryError> {
+    let speeds = model.settings.move_speeds();
+    let height = model.settings.jump_height;
+    let from = model.place;
+    Ok(match mode {
+        MovingMode::Jump if model.dialect.jumps_by_joints => Motion::Lifts(Lifts::new(
+            from, to.pose, to.joints, height, &speeds, model.tool,
+        )?),
+        MovingMode::Jump => Motion::Jump(Jump::new(from.pose, to.pose, height, &speeds)?),
+        MovingMode::MovL => line(model, to.pose)?,
+        MovingMode::MovJ if model.dialect.stretches_joints => {
+            let speeds = Speeds {
+                servo_deg_s2: speeds.joint_deg_s2,
+                ..speeds
+            };
+            Motion::Stretched(StretchedMove::new(from.joints, to.joints, &speeds)?)
+        }
+        MovingMode::MovJ => Motion::Joints(JointMove::new(from.joints, to.joints, &speeds)?),
+    })
 }
 
 /// Plans a straight line with the rotation of the tool.

@@ -29,17 +29,21 @@ pub struct Segment {
     pub interpolation: Interpolation,
 }
 
+impl Segment {
+    const fn new(until_s: f64, interpolation: Interpolation) -> Self {
+        Self {
+            until_s,
+            interpolation,
+        }
+    }
+}
+
 impl Trajectory {
     /// Returns the segments of the whole motion in order. Unused segments end at the end of the
     /// last one, and a jog, which has no end, has segments without duration.
     #[must_use]
     pub fn segments(&self) -> [Segment; 3] {
-        let whole = |until_s, interpolation| {
-            [Segment {
-                until_s,
-                interpolation,
-            }; 3]
-        };
+        let whole = |until_s, interpolation| [Segment::new(until_s, interpolation); 3];
         match &self.motion {
             Motion::Rest | Motion::Jog(_) => whole(0.0, Interpolation::Joints),
             Motion::Joints(movement) => whole(movement.duration_s(), Interpolation::Joints),
@@ -52,10 +56,8 @@ impl Trajectory {
             Motion::Lifts(lifts) => lifts.segments(),
             Motion::Jump(jump) => {
                 let [up_s, across_s] = jump.corners_s();
-                [up_s, across_s, jump.duration_s()].map(|until_s| Segment {
-                    until_s,
-                    interpolation: Interpolation::Around,
-                })
+                [up_s, across_s, jump.duration_s()]
+                    .map(|until_s| Segment::new(until_s, Interpolation::Around))
             }
             Motion::Line(line, _) => turning_at_the_end(line.duration_s()),
         }
@@ -64,14 +66,8 @@ impl Trajectory {
 
 /// Some arms rotate the tool in one step at the end of the line.
 fn turning_at_the_end(duration_s: f64) -> [Segment; 3] {
-    let line = Segment {
-        until_s: duration_s.next_down().max(0.0),
-        interpolation: Interpolation::Line,
-    };
-    let turn = Segment {
-        until_s: duration_s,
-        interpolation: Interpolation::Joints,
-    };
+    let line = Segment::new(duration_s.next_down().max(0.0), Interpolation::Line);
+    let turn = Segment::new(duration_s, Interpolation::Joints);
     [line, turn, turn]
 }
 

@@ -1,5 +1,8 @@
 //! The MOVJ of stock arms (note N45).
 
+use core::array::from_fn;
+
+use super::follow::ways;
 use crate::plan_error::finite;
 use crate::{PlanError, Speeds};
 use dobot_arm::Joints;
@@ -37,25 +40,22 @@ impl StretchedMove {
             to.servo - from.servo,
         ]
         .map(|way| way.abs().0);
-        for way_deg in ways_deg {
-            finite("angle to turn", way_deg)?;
-        }
+        ways_deg
+            .iter()
+            .try_for_each(|way_deg| finite("angle to turn", *way_deg))?;
         let joint = [speeds.joint_deg_s, speeds.joint_deg_s2];
         let servo = [speeds.servo_deg_s, speeds.servo_deg_s2];
-        let axes = || ways_deg.into_iter().zip([joint, joint, joint, servo]);
-        let duration_s = axes().map(|(way, limits)| fastest_s(way, limits));
+        let limits = [joint, joint, joint, servo];
+        let axes = ways_deg.into_iter().zip(limits);
+        let duration_s = axes.map(|(way, limits)| fastest_s(way, limits));
         let duration_s = duration_s.fold(0.0, f64::max);
         finite("duration", duration_s)?;
-        let mut ramps_s = [0.0; 4];
-        for (ramp_s, (way, [speed, _])) in ramps_s.iter_mut().zip(axes()) {
-            let most_s = duration_s / 2.0;
-            *ramp_s = (duration_s - way / speed).clamp(0.0, most_s);
-        }
+        let ramp_s = |i: usize| duration_s - ways_deg[i] / limits[i][0];
         Ok(Self {
             from,
             to,
             duration_s,
-            ramps_s,
+            ramps_s: from_fn(|i| ramp_s(i).clamp(0.0, duration_s / 2.0)),
         })
     }
 
@@ -81,29 +81,11 @@ impl StretchedMove {
 
     /// Returns how differently base, rear arm and forearm turn.
     pub(crate) fn stretching(&self) -> Stretching {
-        let (from, to) = (&self.from, &self.to);
-        let ways = [
-            to.base - from.base,
-            to.rear - from.rear,
-            to.fore - from.fore,
-        ];
+        let ways = ways(&self.from, &self.to);
         let shortest_s = self.ramps_s.into_iter().fold(f64::INFINITY, f64::min);
         let turn = |axis: usize| {
             let (way_deg, ramp_s) = (ways[axis].abs().0, self.ramps_s[axis]);
-            if ramp_s <= shortest_s {
-                return TurnBounds {
-                    first_deg: way_deg,
-                    second_deg: 0.0,
-                };
-            }
-            // Both joints accelerate: their shares are proportional. One of them has its speed: there
-            // the other is faster by the ratio of speeds, and changes most.
-            let cruise_s = self.duration_s - shortest_s;
-            let first_deg = way_deg * cruise_s / (self.duration_s - ramp_s);
-            TurnBounds {
-                first_deg,
-                second_deg: first_deg * cruise_s / ramp_s,
-            }
+            self.turn(way_deg, ramp_s, shortest_s)
         };
         Stretching {
             ramp: if self.duration_s > 0.0 {
@@ -111,7 +93,25 @@ impl StretchedMove {
             } else {
                 0.5
             },
-            turns: core::array::from_fn(turn),
+            turns: from_fn(turn),
+        }
+    }
+
+    /// Returns how differently a joint turns, compared with the one that has the shortest ramps.
+    fn turn(&self, way_deg: f64, ramp_s: f64, shortest_s: f64) -> TurnBounds {
+        if ramp_s <= shortest_s {
+            return TurnBounds {
+                first_deg: way_deg,
+                second_deg: 0.0,
+            };
+        }
+        // Both joints accelerate: their shares are proportional. One of them has its speed: there
+        // the other is faster by the ratio of speeds, and changes most.
+        let cruise_s = self.duration_s - shortest_s;
+        let first_deg = way_deg * cruise_s / (self.duration_s - ramp_s);
+        TurnBounds {
+            first_deg,
+            second_deg: first_deg * cruise_s / ramp_s,
         }
     }
 

@@ -1,5 +1,7 @@
 //! Planning of laser strokes.
 
+use std::ops::Range;
+
 use dobot_geometry::{Point, Stroke};
 use dobot_motion::TickStroke;
 
@@ -165,15 +167,7 @@ impl Planner<'_> {
         };
         let burned = self.moves[begin..].iter().filter(burns).count();
         let limit_mm_s = self.chain[first].limit_mm_s;
-        let mut chain = self.chain.clone();
-        let mut chain_speeds = self.chain_speeds.clone();
-        let speeds = chain_speeds
-            .plan(&mut chain, Objective::Even)
-            .skip(first)
-            .take(burned);
-        let slowest_mm_s = speeds
-            .map(|speeds| speeds.start_mm_s.min(speeds.end_mm_s).min(speeds.max_mm_s))
-            .fold(limit_mm_s, f64::min);
+        let slowest_mm_s = self.slowest_mm_s(first..first + burned).min(limit_mm_s);
         // Where the slowest part is much slower, even burning would make the whole stroke too slow.
         if slowest_mm_s * MAX_SPREAD >= limit_mm_s {
             let least_mm_s = f64::from(MIN_BURN_MM_S);
@@ -186,6 +180,19 @@ impl Planner<'_> {
                 run.limit_mm_s = run.limit_mm_s.min(even_mm_s);
             }
         }
+    }
+
+    /// Returns the lowest speed in these vectors of the chain.
+    fn slowest_mm_s(&self, vectors: Range<usize>) -> f64 {
+        let mut chain = self.chain.clone();
+        let mut chain_speeds = self.chain_speeds.clone();
+        let speeds = chain_speeds
+            .plan(&mut chain, Objective::Even)
+            .skip(vectors.start)
+            .take(vectors.len());
+        speeds
+            .map(|speeds| speeds.start_mm_s.min(speeds.end_mm_s).min(speeds.max_mm_s))
+            .fold(f64::INFINITY, f64::min)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Detection of strokes burned too slowly, and so too dark.
 
-use crate::{DrawingTool, MoveKind, Plan, PlannedPass};
+use crate::{DrawingTool, MoveKind, Plan, PlannedPass, PlannedVector};
 
 /// The part of a pass burned below the requested speed because of corners, short vectors or the
 /// link.
@@ -25,12 +25,7 @@ impl Plan {
         };
         let moves = self.moves[pass.moves.clone()].iter();
         let burned = moves.filter(|vector| vector.kind == MoveKind::Burn);
-        let mut burned: Vec<[f64; 2]> = burned
-            .map(|vector| {
-                let length_mm = vector.length_mm();
-                [length_mm / f64::from(vector.duration_s), length_mm]
-            })
-            .collect();
+        let mut burned: Vec<[f64; 2]> = burned.map(speed_and_length).collect();
         burned.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let sum_mm = |burned: &[[f64; 2]]| burned.iter().map(|row| row[1]).sum::<f64>();
         let is_slow = |row: &[f64; 2]| row[0] * SLOW < laser.burn_speed_mm_s;
@@ -48,6 +43,11 @@ impl Plan {
             even_mm_s: even[0],
         })
     }
+}
+
+fn speed_and_length(vector: &PlannedVector) -> [f64; 2] {
+    let length_mm = vector.length_mm();
+    [length_mm / f64::from(vector.duration_s), length_mm]
 }
 
 /// A burning time this many times as long is visibly darker.

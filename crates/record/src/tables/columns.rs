@@ -52,6 +52,18 @@ pub(crate) fn of_command(
     meaning: Option<Result<Command, String>>,
 ) -> Vec<Cell> {
     let mut cells = times(start, at);
+    cells.extend(described(meaning).map(Cell::Text));
+    let bytes = packet.to_bytes();
+    let floats = bytes[1..41].chunks_exact(4);
+    cells
+        .extend(floats.map(|float| {
+            Cell::Float(f32::from_le_bytes([float[0], float[1], float[2], float[3]]))
+        }));
+    cells
+}
+
+/// Describes a command by its name, its fields as JSON, and the error in it.
+fn described(meaning: Option<Result<Command, String>>) -> [Option<String>; 3] {
     let (command, error) = match meaning {
         Some(Ok(command)) => (serde_json::to_value(command).ok(), None),
         Some(Err(error)) => (None, Some(error)),
@@ -64,14 +76,7 @@ pub(crate) fn of_command(
             .and_then(|removed| removed.as_str().map(str::to_owned));
         fields = Some(serde_json::Value::Object(object).to_string());
     }
-    cells.extend([name, fields, error].map(Cell::Text));
-    let bytes = packet.to_bytes();
-    let floats = bytes[1..41].chunks_exact(4);
-    cells
-        .extend(floats.map(|float| {
-            Cell::Float(f32::from_le_bytes([float[0], float[1], float[2], float[3]]))
-        }));
-    cells
+    [name, fields, error]
 }
 
 fn times(start: Timestamp, at: Duration) -> Vec<Cell> {

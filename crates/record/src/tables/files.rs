@@ -56,7 +56,17 @@ pub fn export_files(
             let _ = fs::remove_file(out);
         }
     })?;
-    let (statuses, commands) = match form {
+    let (statuses, commands) = tables(form, statuses, commands)?;
+    let written = export_tables(recording, stretch, statuses, commands)?;
+    Ok((written, beside))
+}
+
+fn tables(
+    form: TableForm,
+    statuses: BufWriter<File>,
+    commands: BufWriter<File>,
+) -> Result<(Table<BufWriter<File>>, Table<BufWriter<File>>), ExportError> {
+    Ok(match form {
         #[cfg(feature = "parquet")]
         TableForm::Parquet => (
             Table::statuses_parquet(statuses)?,
@@ -66,9 +76,7 @@ pub fn export_files(
             Table::statuses_csv(statuses)?,
             Table::commands_csv(commands)?,
         ),
-    };
-    let written = export_tables(recording, stretch, statuses, commands)?;
-    Ok((written, beside))
+    })
 }
 
 fn new_file(path: &Path, overwrites: bool) -> Result<BufWriter<File>, ExportError> {

@@ -118,18 +118,11 @@ impl Buffer {
     }
 
     fn push(&mut self, cell: Cell) {
-        let list_len = match &cell {
-            Cell::Integers(values) => values.len(),
-            Cell::Floats(values) => values.len(),
-            Cell::Doubles(values) => values.len(),
-            Cell::Texts(values) => values.len(),
-            Cell::Text(text) => {
-                self.levels.push(text.is_some().into());
-                0
-            }
-            _ => 0,
-        };
-        self.levels.extend((0..list_len).map(|n| i16::from(n > 0)));
+        if let Cell::Text(text) = &cell {
+            self.levels.push(text.is_some().into());
+        }
+        let list = (0..list_len(&cell)).map(|n| i16::from(n > 0));
+        self.levels.extend(list);
         let bytes = |text: String| ByteArray::from(text.into_bytes());
         match (&mut self.values, cell) {
             (Values::Integer(all), Cell::Time(value) | Cell::Integer(value)) => all.push(value),
@@ -158,6 +151,17 @@ impl Buffer {
             Values::Text(all) => write::<ByteArrayType, W>(group, self.kind, all, &levels)?,
         }
         Ok(())
+    }
+}
+
+/// Returns the number of values in a list; 0 for other cells.
+const fn list_len(cell: &Cell) -> usize {
+    match cell {
+        Cell::Integers(values) => values.len(),
+        Cell::Floats(values) => values.len(),
+        Cell::Doubles(values) => values.len(),
+        Cell::Texts(values) => values.len(),
+        _ => 0,
     }
 }
 

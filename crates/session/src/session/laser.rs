@@ -206,21 +206,27 @@ impl Session {
         if !self.laser.was_lit {
             return None;
         }
-        let stops_at = self.estimate.in_flight().stops_at();
-        let foreseen = stops_at.and_then(|from| {
-            if self.estimate.waiting() > 0 {
-                return self.estimate.stays_lit().then_some(from + PERMIT_IN_TIME);
-            }
-            // It waits in the arm's queue for the end of burning.
-            let lead = if self.estimate.stays_lit() {
-                self.lead()
-            } else {
-                Duration::ZERO
-            };
-            Some(from.saturating_sub(lead))
-        });
-        let due = foreseen.into_iter().chain(self.seen_to_stand()).min()?;
+        let due = self
+            .foreseen_to_stand()
+            .into_iter()
+            .chain(self.seen_to_stand())
+            .min()?;
         Some(due.max(self.laser.line_free))
+    }
+
+    /// When "laser off" has to be sent because the predicted motion ends.
+    fn foreseen_to_stand(&self) -> Option<Duration> {
+        let from = self.estimate.in_flight().stops_at()?;
+        if self.estimate.waiting() > 0 {
+            return self.estimate.stays_lit().then_some(from + PERMIT_IN_TIME);
+        }
+        // It waits in the arm's queue for the end of burning.
+        let lead = if self.estimate.stays_lit() {
+            self.lead()
+        } else {
+            Duration::ZERO
+        };
+        Some(from.saturating_sub(lead))
     }
 
     /// How long before the end of burning the packet has to be sent to arrive in time.

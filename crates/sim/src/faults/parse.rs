@@ -10,17 +10,14 @@ impl FromStr for Fault {
     type Err = FaultError;
 
     fn from_str(text: &str) -> Result<Self, FaultError> {
-        let (what, when) = match text.split_once('@') {
-            Some((what, when)) => (what, Some(when)),
-            None => (text, None),
-        };
+        let at = text.split_once('@');
+        let (what, when) = at.map_or((text, None), |(what, when)| (what, Some(when)));
         let (name, value) = what.split_once('=').unwrap_or((what, ""));
-        let Some(form) = FORMS.iter().find(|form| form.name == name) else {
-            return Err(FaultError::UnknownKind {
-                fault: text.to_owned(),
-                kind: name.to_owned(),
-            });
-        };
+        let form = FORMS.iter().find(|form| form.name == name);
+        let form = form.ok_or_else(|| FaultError::UnknownKind {
+            fault: text.to_owned(),
+            kind: name.to_owned(),
+        })?;
         let kind = (form.parse)(value).ok_or_else(|| FaultError::BadValue {
             fault: text.to_owned(),
             found: value.to_owned(),

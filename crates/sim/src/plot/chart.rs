@@ -102,17 +102,7 @@ pub(super) fn bands(sheet: &mut Sheet, time: &Axis, snapshots: &[Snapshot], top:
         ("laser", LASER, spans(snapshots, |it| it.laser)),
     ];
     for ((name, color, spans), y) in lanes.into_iter().zip([top, top + 20.0]) {
-        sheet.rect(
-            &Rectangle::between([left, y], [right, y + 15.0]),
-            0.0,
-            &PANEL,
-        );
-        sheet.text([left - 8.0, y + 12.0], Anchor::Right, &PLAIN, name);
-        for [from, to] in spans {
-            let (from, to) = (time.pixel(from), time.pixel(to));
-            let band = Rectangle::between([from, y], [to.max(from + 1.0), y + 15.0]);
-            sheet.rect(&band, 0.0, &ShapeStyle::area(color));
-        }
+        lane(sheet, time, y, (name, color, &spans));
     }
     let bottom = top + 40.0;
     for (value, text) in time.ticks(80.0) {
@@ -125,6 +115,27 @@ pub(super) fn bands(sheet: &mut Sheet, time: &Axis, snapshots: &[Snapshot], top:
     }
     let middle = f64::midpoint(left, right);
     sheet.text([middle, bottom + 34.0], Anchor::Middle, &PLAIN, "time (s)");
+}
+
+/// A band with its name; it is coloured in the spans.
+fn lane(
+    sheet: &mut Sheet,
+    time: &Axis,
+    y: f64,
+    (name, color, spans): (&str, &'static str, &[[f64; 2]]),
+) {
+    let [left, right] = time.pixels();
+    sheet.rect(
+        &Rectangle::between([left, y], [right, y + 15.0]),
+        0.0,
+        &PANEL,
+    );
+    sheet.text([left - 8.0, y + 12.0], Anchor::Right, &PLAIN, name);
+    for &[from, to] in spans {
+        let (from, to) = (time.pixel(from), time.pixel(to));
+        let band = Rectangle::between([from, y], [to.max(from + 1.0), y + 15.0]);
+        sheet.rect(&band, 0.0, &ShapeStyle::area(color));
+    }
 }
 
 fn time_grid(sheet: &mut Sheet, time: &Axis, [top, bottom]: [f64; 2]) {

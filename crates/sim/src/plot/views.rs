@@ -86,6 +86,11 @@ impl View {
             sheet.line([left, y], [right, y], &GRID);
             sheet.text([left - 8.0, y + 4.5], Anchor::Right, &QUIET, &text);
         }
+        self.label_axes(sheet);
+    }
+
+    fn label_axes(&self, sheet: &mut Sheet) {
+        let [left, right] = self.pixels;
         let middle = f64::midpoint(left, right);
         sheet.text(
             [middle, BOTTOM + 38.0],

@@ -68,13 +68,6 @@ fn status(row: &CsvRow<'_, 11>) -> Result<TracedStatus, TraceError> {
 }
 
 fn tick(row: &CsvRow<'_, 12>) -> Result<TracedTick, TraceError> {
-    let pin = |index| -> Result<bool, TraceError> {
-        match row.words[index] {
-            "0" => Ok(false),
-            "1" => Ok(true),
-            _ => Err(row.wrong(index, "0 or 1")),
-        }
-    };
     row.tick()?;
     let whole = "a whole number";
     Ok(TracedTick {
@@ -86,9 +79,9 @@ fn tick(row: &CsvRow<'_, 12>) -> Result<TracedTick, TraceError> {
             ],
             head_servo: row.field(7, whole)?,
             gripper_servo: row.field(8, whole)?,
-            pump: pin(9)?,
-            valve: pin(10)?,
-            laser: pin(11)?,
+            pump: row.pin(9)?,
+            valve: row.pin(10)?,
+            laser: row.pin(11)?,
         },
         sums: [
             row.field(4, whole)?,
@@ -105,7 +98,18 @@ struct CsvRow<'a, const N: usize> {
     words: [&'a str; N],
 }
 
-impl<const N: usize> CsvRow<'_, N> {
+impl<'a, const N: usize> CsvRow<'a, N> {
+    fn of(text: &'a str, line: usize, names: [&'static str; N]) -> Result<Self, TraceError> {
+        let words: Vec<_> = text.split(',').collect();
+        let count = |words: Vec<_>| TraceError::Count {
+            line,
+            found: words.len(),
+            allowed: N,
+        };
+        let words = words.try_into().map_err(count)?;
+        Ok(Self { line, names, words })
+    }
+
     fn tick(&self) -> Result<u32, TraceError> {
         let allowed = "a multiple of 20 ms";
         let t_ms: u32 = self.field(0, allowed)?;
@@ -124,6 +128,14 @@ impl<const N: usize> CsvRow<'_, N> {
         self.words[index]
             .parse()
             .map_err(|_| self.wrong(index, allowed))
+    }
+
+    fn pin(&self, index: usize) -> Result<bool, TraceError> {
+        match self.words[index] {
+            "0" => Ok(false),
+            "1" => Ok(true),
+            _ => Err(self.wrong(index, "0 or 1")),
+        }
     }
 
     fn wrong(&self, index: usize, allowed: &'static str) -> TraceError {
@@ -151,16 +163,6 @@ fn rows<T, const N: usize>(
     }
     lines
         .zip(2..)
-        .map(|(text, line)| {
-            let words: Vec<_> = text.split(',').collect();
-            let words = words
-                .try_into()
-                .map_err(|words: Vec<_>| TraceError::Count {
-                    line,
-                    found: words.len(),
-                    allowed: N,
-                })?;
-            read(&CsvRow { line, names, words })
-        })
+        .map(|(text, line)| read(&CsvRow::of(text, line, names)?))
         .collect()
 }

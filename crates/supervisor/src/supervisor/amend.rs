@@ -58,21 +58,26 @@ fn replace_harmless_values(frame: &Frame, model: &Model, notes: &mut Vec<String>
             break;
         };
         let stand_in = leniency.stand_in(&sent, &error, &in_force);
-        let what = match leniency.instead {
-            Instead::Release => "a release".to_owned(),
-            Instead::InForce => format!("{}, which is in force,", changed(&sent, &stand_in)),
-            Instead::Tool => {
-                let (pump, gripper) = (stand_in.float(7), stand_in.float(9));
-                format!("{pump}, with {gripper} in float 9 (GripperValue), as they are,")
-            }
-            _ => changed(&sent, &stand_in),
-        };
+        let what = replacement(leniency.instead, &sent, &stand_in);
         let effect = leniency.effect;
         changes.push(format!("{error}; a stock arm {effect}, and {what} is sent"));
         sent = stand_in;
     }
     // A packet that is refused anyway is refused as it came.
     *frame
+}
+
+/// Describes what is sent instead of a harmless value.
+fn replacement(instead: Instead, sent: &Frame, stand_in: &Frame) -> String {
+    match instead {
+        Instead::Release => "a release".to_owned(),
+        Instead::InForce => format!("{}, which is in force,", changed(sent, stand_in)),
+        Instead::Tool => {
+            let (pump, gripper) = (stand_in.float(7), stand_in.float(9));
+            format!("{pump}, with {gripper} in float 9 (GripperValue), as they are,")
+        }
+        _ => changed(sent, stand_in),
+    }
 }
 
 /// Returns the value of one of two frames at the float where they differ.

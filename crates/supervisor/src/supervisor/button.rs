@@ -1,5 +1,7 @@
 //! Jog buttons held by clients: press, release and silence.
 
+use std::time::Duration;
+
 use dobot_api::{ClientId, Jog, News, Reply};
 
 use super::jog::{EndedPress, HoldOutcome, JogSilence, Press, act, is_released, moves};
@@ -28,11 +30,15 @@ impl Supervisor {
                 HoldOutcome::SpeedChanged => self.change_speed(jog),
             };
         }
+        self.press(client, jog, seconds(hold_timeout_s))
+    }
+
+    fn press(&mut self, client: ClientId, jog: Jog, timeout: Duration) -> Result<Reply, Refusal> {
         self.release_button();
         let press = Press {
             client,
             jog,
-            timeout: seconds(hold_timeout_s),
+            timeout,
         };
         let (free, within) = (self.check_free(), self.rests_within());
         let pressed = self

@@ -30,13 +30,7 @@ impl Commands {
         rests_within: Duration,
     ) -> Result<CommandId, Refusal> {
         let command = translate(arm, command, rests_within)?;
-        let waiting = arm.session().waiting();
-        if waiting >= MAX_WAITING {
-            return Err(Refusal::TooMany {
-                waiting,
-                most: MAX_WAITING,
-            });
-        }
+        check_waiting(arm)?;
         if leads_somewhere(&command) && !knows_start(arm) {
             return Err(still_moving(rests_within));
         }
@@ -63,6 +57,17 @@ impl Commands {
     pub(super) fn ids(&self) -> impl Iterator<Item = CommandId> {
         self.pending.keys().copied()
     }
+}
+
+fn check_waiting(arm: &Arm) -> Result<(), Refusal> {
+    let waiting = arm.session().waiting();
+    if waiting >= MAX_WAITING {
+        return Err(Refusal::TooMany {
+            waiting,
+            most: MAX_WAITING,
+        });
+    }
+    Ok(())
 }
 
 /// Returns whether the start of a motion is known: after a jog, or a motion that ended elsewhere,
@@ -125,40 +130,48 @@ fn line_pieces(arm: &Arm, command: &Command) -> Result<Vec<Command>, Refusal> {
         return Ok(Vec::new());
     }
     let policy = arm.policy();
-    // A line without a trajectory is refused when it is sent.
-    let takes_s = begin
-        .trajectory(command)
-        .ok()
-        .and_then(|trajectory| trajectory.motion_s());
-    let is_enough = |pieces: &u16| {
-        takes_s.is_none_or(|takes_s| takes_s <= f64::from(*pieces) * policy.queue.line_s)
-    };
-    let pieces = (1..MAX_PIECES).find(is_enough).unwrap_or(MAX_PIECES);
+    let pieces = piece_count(begin, command, policy.queue.line_s);
     if pieces == 1 {
         return Ok(Vec::new());
     }
-    let status = begin.status();
-    let at = |share: f32| {
-        let between = |from: f32, to: f32| from + share * (to - from);
-        Command::from(MoveTo {
-            x_mm: between(status.x_mm, target.x_mm),
-            y_mm: between(status.y_mm, target.y_mm),
-            z_mm: between(status.z_mm, target.z_mm),
-            rotation_deg: status.rotation_deg,
-            suction: begin.suction,
-            gripper_deg: status.gripper_deg,
-            pause_s: 0.0,
-            ..*target
-        })
-    };
-    let before_last = (1..pieces).map(|piece| at(f32::from(piece) / f32::from(pieces)));
-    let before_last: Vec<Command> = before_last.collect();
+    let share = |piece: u16| f32::from(piece) / f32::from(pieces);
+    let before_last: Vec<_> = (1..pieces)
+        .map(|piece| on_line(begin, target, share(piece)))
+        .collect();
     let mut model = *begin;
     for piece in before_last.iter().chain([command]) {
         let trajectory = policy.check(&model, piece)?;
         model = model.after(piece, &trajectory);
     }
     Ok(before_last)
+}
+
+/// Returns into how many pieces a line is cut so that none takes longer than `line_s`.
+fn piece_count(begin: &Model, line: &Command, line_s: f64) -> u16 {
+    // A line without a trajectory is refused when it is sent.
+    let takes_s = begin
+        .trajectory(line)
+        .ok()
+        .and_then(|trajectory| trajectory.motion_s());
+    let is_enough =
+        |pieces: &u16| takes_s.is_none_or(|takes_s| takes_s <= f64::from(*pieces) * line_s);
+    (1..MAX_PIECES).find(is_enough).unwrap_or(MAX_PIECES)
+}
+
+/// Returns the target at a share, from 0 to 1, of the line to a target.
+fn on_line(begin: &Model, target: &MoveTo, share: f32) -> Command {
+    let status = begin.status();
+    let between = |from: f32, to: f32| from + share * (to - from);
+    Command::from(MoveTo {
+        x_mm: between(status.x_mm, target.x_mm),
+        y_mm: between(status.y_mm, target.y_mm),
+        z_mm: between(status.z_mm, target.z_mm),
+        rotation_deg: status.rotation_deg,
+        suction: begin.suction,
+        gripper_deg: status.gripper_deg,
+        pause_s: 0.0,
+        ..*target
+    })
 }
 
 /// Returns whether the path of a command starts where the arm is.

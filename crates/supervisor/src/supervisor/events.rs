@@ -248,29 +248,33 @@ impl Supervisor {
     pub(super) fn follow_session(&mut self) {
         while let Some(event) = self.arm.session_mut().poll_event() {
             self.outgoing.note_change();
-            match event {
-                Event::Status(status) => self.handle_status(status),
-                Event::Completed(id) => self.command_over(id, None),
-                Event::NotReached { command, .. } => {
-                    self.command_over(command, Some(failure(event)));
-                }
-                Event::Pausing {
-                    command,
-                    lasts,
-                    by_default,
-                } => self.notify_pause(command, lasts, by_default),
-                Event::LinkLost {
-                    silent_for,
-                    received,
-                } => self.fall_silent(silent_for, &received),
-                Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
-                Event::NotSent { command, reason } => {
-                    self.command_forgotten(command, &Refusal::from(reason).to_string());
-                }
-                Event::LaserDisarmed(why) => self.laser_disarmed(&why.to_string()),
-                Event::LaserOff => self.notify(News::LaserOff, SWITCHED_OFF.into()),
-                _ => {}
+            self.handle_event(event);
+        }
+    }
+
+    fn handle_event(&mut self, event: Event) {
+        match event {
+            Event::Status(status) => self.handle_status(status),
+            Event::Completed(id) => self.command_over(id, None),
+            Event::NotReached { command, .. } => {
+                self.command_over(command, Some(failure(event)));
             }
+            Event::Pausing {
+                command,
+                lasts,
+                by_default,
+            } => self.notify_pause(command, lasts, by_default),
+            Event::LinkLost {
+                silent_for,
+                received,
+            } => self.fall_silent(silent_for, &received),
+            Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
+            Event::NotSent { command, reason } => {
+                self.command_forgotten(command, &Refusal::from(reason).to_string());
+            }
+            Event::LaserDisarmed(why) => self.laser_disarmed(&why.to_string()),
+            Event::LaserOff => self.notify(News::LaserOff, SWITCHED_OFF.into()),
+            _ => {}
         }
     }
 

@@ -207,11 +207,7 @@ impl Leases {
         {
             return (turns, None);
         }
-        let why = match (after, before) {
-            (Some(student), _) => format!("the time slot of {student} is active"),
-            (None, Some(student)) => format!("the time slot of {student} is over"),
-            (None, None) => "a time slot is over".to_owned(),
-        };
+        let why = why_control_ends(before.as_deref(), after);
         let changes = self.end(&why);
         (turns, Some(LostControl { why, changes }))
     }
@@ -440,6 +436,15 @@ impl Leases {
             why: why.to_owned(),
         });
         ended.into_iter().collect()
+    }
+}
+
+/// Returns why control ends when the time slot of one student is over and another's begins.
+fn why_control_ends(before: Option<&str>, after: Option<&str>) -> String {
+    match (after, before) {
+        (Some(student), _) => format!("the time slot of {student} is active"),
+        (None, Some(student)) => format!("the time slot of {student} is over"),
+        (None, None) => "a time slot is over".to_owned(),
     }
 }
 

@@ -7,36 +7,12 @@ use dobot_safety::{Bounds, KeepOut, Policy};
 
 /// Returns the policy limits and keep-outs close to a calibrated position of an arm with this tool.
 pub(super) fn near(policy: &Policy, place: &ArmPlace, tool: Tool) -> NearView {
-    let Joints {
-        base,
-        rear,
-        fore,
-        servo,
-    } = place.joints;
     let position = place.pose.position;
     let [x, y, z] = [position.x, position.y, position.z].map(|mm| mm.0);
-    let (joints, space) = (&policy.joints, &policy.workspace);
-    let angles = [
-        (BoundedQuantity::Base, base.0, joints.base_deg),
-        (BoundedQuantity::Rear, rear.0, joints.rear_deg),
-        (BoundedQuantity::Fore, fore.0, joints.fore_deg),
-        (BoundedQuantity::Servo, servo.0, joints.servo_deg),
-        (
-            BoundedQuantity::Opening,
-            rear.0 - fore.0,
-            joints.opening_deg,
-        ),
-    ];
-    let lengths = [
-        (BoundedQuantity::X, x, space.x_mm),
-        (BoundedQuantity::Y, y, space.y_mm),
-        (BoundedQuantity::Z, z, space.z_mm),
-        (BoundedQuantity::Reach, x.hypot(y), space.reach_mm),
-    ];
-    let angles = angles
+    let angles = angles(policy, &place.joints)
         .into_iter()
         .flat_map(|angle| near_ends(angle, NEAR_DEG));
-    let lengths = lengths
+    let lengths = lengths(policy, [x, y, z])
         .into_iter()
         .flat_map(|length| near_ends(length, NEAR_MM));
     let tool_at = [[x, y, z], [x, y, z - policy.tool_length.of(tool)]];
@@ -49,6 +25,28 @@ pub(super) fn near(policy: &Policy, place: &ArmPlace, tool: Tool) -> NearView {
         limits: angles.chain(lengths).collect(),
         keep_outs: keep_outs.collect(),
     }
+}
+
+fn angles(policy: &Policy, joints: &Joints) -> [(BoundedQuantity, f64, Bounds); 5] {
+    let (rear, fore) = (joints.rear.0, joints.fore.0);
+    let limits = &policy.joints;
+    [
+        (BoundedQuantity::Base, joints.base.0, limits.base_deg),
+        (BoundedQuantity::Rear, rear, limits.rear_deg),
+        (BoundedQuantity::Fore, fore, limits.fore_deg),
+        (BoundedQuantity::Servo, joints.servo.0, limits.servo_deg),
+        (BoundedQuantity::Opening, rear - fore, limits.opening_deg),
+    ]
+}
+
+fn lengths(policy: &Policy, [x, y, z]: [f64; 3]) -> [(BoundedQuantity, f64, Bounds); 4] {
+    let space = &policy.workspace;
+    [
+        (BoundedQuantity::X, x, space.x_mm),
+        (BoundedQuantity::Y, y, space.y_mm),
+        (BoundedQuantity::Z, z, space.z_mm),
+        (BoundedQuantity::Reach, x.hypot(y), space.reach_mm),
+    ]
 }
 
 /// Returns the bounds close to a value.

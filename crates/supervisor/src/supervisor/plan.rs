@@ -9,7 +9,7 @@ use std::sync::Arc;
 use dobot_api::JobProgram;
 use dobot_arm::{Calibration, Joints, Position, Tool};
 use dobot_journal::HeightChange;
-use dobot_motion::{ArmPlace, Model, ReturnWait, burns};
+use dobot_motion::{ArmPlace, Model, ReturnWait, Trajectory, burns};
 use dobot_safety::{Policy, Violation};
 use dobot_session::position;
 use dobot_wire::{
@@ -422,26 +422,10 @@ impl PlanWalk<'_> {
     }
 
     fn step(&mut self, index: usize, command: &Command) -> Result<Step, Refusal> {
-        let bad = |why: String| Refusal::BadJob {
-            index,
-            why,
-            rule: None,
-        };
-        let trajectory = if self.unjudged == Some(index) {
-            // Already being in a forbidden position is no reason to refuse past commands.
-            self.model.place = somewhere(self.model.tool);
-            let trajectory = self.model.trajectory(command);
-            trajectory.map_err(|error| bad(error.to_string()))?
-        } else {
-            let checked = self.policy.check(&self.model, command);
-            checked.map_err(|violation| Refusal::BadJob {
-                index,
-                why: violation.to_string(),
-                rule: Some(violation.rule),
-            })?
-        };
+        let trajectory = self.trajectory(index, command)?;
         let takes_s = trajectory.duration_s().ok_or_else(|| {
-            bad("a jog lasts until it is released; a job may not contain one".into())
+            let why = "a jog lasts until it is released; a job may not contain one";
+            Refusal::bad_job(index, why)
         })?;
         let before = self.model;
         self.model = self.model.after(command, &trajectory);
@@ -456,6 +440,22 @@ impl PlanWalk<'_> {
             higher_mm: 0.0,
             moves: trajectory.moves(),
             until_s: self.until_s,
+        })
+    }
+
+    /// Returns the trajectory of a command whose path is allowed.
+    fn trajectory(&mut self, index: usize, command: &Command) -> Result<Trajectory, Refusal> {
+        if self.unjudged == Some(index) {
+            // Already being in a forbidden position is no reason to refuse past commands.
+            self.model.place = somewhere(self.model.tool);
+            let trajectory = self.model.trajectory(command);
+            return trajectory.map_err(|error| Refusal::bad_job(index, error.to_string()));
+        }
+        let checked = self.policy.check(&self.model, command);
+        checked.map_err(|violation| Refusal::BadJob {
+            index,
+            why: violation.to_string(),
+            rule: Some(violation.rule),
         })
     }
 
@@ -509,13 +509,7 @@ fn check_first_motion(commands: &[Command]) -> Result<usize, Refusal> {
         )
     };
     let first = commands.iter().position(|command| !calm(command));
-    let bad = |index, why: &str| {
-        Err(Refusal::BadJob {
-            index,
-            why: why.to_owned(),
-            rule: None,
-        })
-    };
+    let bad = |index, why: &str| Err(Refusal::bad_job(index, why));
     match first.map(|index| (index, &commands[index])) {
         None => bad(0, "no command moves the arm"),
         Some((index, Command::MoveTo(_) | Command::MoveJoints(_))) => {
@@ -538,11 +532,10 @@ fn check_no_references(commands: &[Command]) -> Result<(), Refusal> {
     };
     match commands.iter().position(reference) {
         None => Ok(()),
-        Some(index) => Err(Refusal::BadJob {
-            index,
-            why: "initial angles are set by hand, not in a job".into(),
-            rule: None,
-        }),
+        Some(index) => {
+            let why = "initial angles are set by hand, not in a job";
+            Err(Refusal::bad_job(index, why))
+        }
     }
 }
 

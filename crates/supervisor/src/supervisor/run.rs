@@ -379,39 +379,26 @@ impl Run {
     }
 
     pub(super) fn view(&self) -> JobView {
-        let StartedJob {
-            job,
-            title,
-            kind,
-            created_ms,
-            plan,
-            adjustment,
-            completed,
-            back,
-            ..
-        } = &self.started;
-        let counted = completed + back;
+        let started = &self.started;
+        let counted = started.completed + started.back;
         // How long it takes depends on the answer.
-        let asks = self.started.program.question().is_some();
+        let asks = started.program.question().is_some();
+        let is_paused = matches!(self.phase, Phase::Paused { .. });
         JobView {
-            job: *job,
-            title: title.clone(),
-            kind: *kind,
-            created_ms: *created_ms,
+            job: started.job,
+            title: started.title.clone(),
+            kind: started.kind,
+            created_ms: started.created_ms,
             phase: self.view_phase(),
             reason: self.reason(),
-            waits_for_person: matches!(self.phase, Phase::Paused { .. })
-                && self.started.waits_for_person().is_some(),
-            commands: self.started.commands,
-            completed: self.started.program.at(counted, self.started.commands).1,
-            planned_s: plan.planned_s().filter(|_| !asks),
-            left_s: self
-                .left_s()
-                .filter(|_| !asks)
-                .map(|left_s| left_s * 100.0 / adjustment.speed_percent),
+            waits_for_person: is_paused && started.waits_for_person().is_some(),
+            commands: started.commands,
+            completed: started.program.at(counted, started.commands).1,
+            planned_s: started.plan.planned_s().filter(|_| !asks),
+            left_s: self.left_s().filter(|_| !asks),
             took_s: None,
-            speed_percent: adjustment.speed_percent,
-            height_mm: self.started.height_mm(),
+            speed_percent: started.adjustment.speed_percent,
+            height_mm: started.height_mm(),
             program: self.program_view(counted),
             question: self.question().cloned(),
         }

@@ -69,14 +69,7 @@ impl Slots {
     /// Advances the time: returns the next change of a slot.
     pub(super) fn poll_change(&mut self, now: Duration) -> Option<SlotChange> {
         self.now = now;
-        // A slot that was over before it could begin had no effect.
-        while self
-            .all
-            .front()
-            .is_some_and(|slot| !slot.started && slot.until <= now)
-        {
-            self.all.pop_front();
-        }
+        self.drop_missed();
         let first = self.all.front_mut()?;
         let student = first.student.clone();
         let left = first.until.saturating_sub(now);
@@ -96,6 +89,18 @@ impl Slots {
             return Some(SlotChange::Ending { student, left });
         }
         None
+    }
+
+    /// Drops slots that were over before they could begin: they had no effect.
+    fn drop_missed(&mut self) {
+        let now = self.now;
+        while self
+            .all
+            .front()
+            .is_some_and(|slot| !slot.started && slot.until <= now)
+        {
+            self.all.pop_front();
+        }
     }
 
     /// Returns when the next change is due.
@@ -204,18 +209,8 @@ fn read(now: Duration, slots: &[TimeSlot]) -> Result<Vec<Slot>, String> {
 
 fn read_one(now: Duration, slot: &TimeSlot) -> Result<Slot, String> {
     let student = slot.student.trim();
-    let characters = student.chars().count();
-    if !(1..=60).contains(&characters) || !student.chars().all(is_plain) {
-        return Err(format!(
-            "student has {characters} characters; allowed are 1 to 60 visible ones"
-        ));
-    }
-    if let Some(group) = slot.group.as_deref().filter(|group| !is_fleet_name(group)) {
-        let group: String = group.chars().take(60).collect();
-        return Err(format!(
-            "group is {group:?}; allowed are 1 to 40 small letters of English, digits and hyphens, the first one a letter"
-        ));
-    }
+    check_student(student)?;
+    slot.group.as_deref().map_or(Ok(()), check_group)?;
     let (starts_s, ends_s, latest_s) = (slot.starts_in_s, slot.ends_in_s, TimeSlot::LONGEST_S);
     if !(0.0..=latest_s).contains(&starts_s) {
         return Err(format!(
@@ -236,6 +231,26 @@ fn read_one(now: Duration, slot: &TimeSlot) -> Result<Slot, String> {
         started: false,
         warned: false,
     })
+}
+
+fn check_student(student: &str) -> Result<(), String> {
+    let characters = student.chars().count();
+    if !(1..=60).contains(&characters) || !student.chars().all(is_plain) {
+        return Err(format!(
+            "student has {characters} characters; allowed are 1 to 60 visible ones"
+        ));
+    }
+    Ok(())
+}
+
+fn check_group(group: &str) -> Result<(), String> {
+    if is_fleet_name(group) {
+        return Ok(());
+    }
+    let group: String = group.chars().take(60).collect();
+    Err(format!(
+        "group is {group:?}; allowed are 1 to 40 small letters of English, digits and hyphens, the first one a letter"
+    ))
 }
 
 /// A student is warned this long before the slot ends.

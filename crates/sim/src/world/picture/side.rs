@@ -126,26 +126,36 @@ fn tool(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
         ToolAction::SuctionCup { diameter_mm, .. } => {
             let (half, bell) = (diameter_mm / 2.0, tip - 6.0);
             rod(sheet, 2.5, bell);
-            let cup = [
-                [reach - 2.5, bell],
-                [reach + 2.5, bell],
-                [reach + half, tip],
-                [reach - half, tip],
-            ];
-            sheet.area(&cup, &ShapeStyle::area(if arm.pump { WARM } else { INK }));
+            cup(sheet, [reach, tip], bell, half, arm.pump);
         }
         ToolAction::Gripper { .. } => {
             let turn = (arm.rotation_deg - arm.base_deg + 90.0).to_radians();
             let half = (arm.opening_mm / 2.0 * turn.cos()).abs();
             let palm = tip - 30.0;
             rod(sheet, 4.0, palm);
-            for x in [reach - half, reach + half] {
-                sheet.line([x, palm], [x, tip], &ShapeStyle::line(ROD, 4.0));
-            }
-            let ends = [reach - half - 2.0, reach + half + 2.0].map(|x| [x, palm]);
-            sheet.line(ends[0], ends[1], &ShapeStyle::line(ROD, 5.0));
+            fingers(sheet, [reach, tip], palm, half);
         }
     }
+}
+
+/// A suction cup from its bell down to its edge, which is `half` wide to each side.
+fn cup(sheet: &mut Sheet, [reach, tip]: [f64; 2], bell: f64, half: f64, holds: bool) {
+    let outline = [
+        [reach - 2.5, bell],
+        [reach + 2.5, bell],
+        [reach + half, tip],
+        [reach - half, tip],
+    ];
+    sheet.area(&outline, &ShapeStyle::area(if holds { WARM } else { INK }));
+}
+
+/// The fingers of a gripper from its palm down to their tips, `half` to each side.
+fn fingers(sheet: &mut Sheet, [reach, tip]: [f64; 2], palm: f64, half: f64) {
+    for x in [reach - half, reach + half] {
+        sheet.line([x, palm], [x, tip], &ShapeStyle::line(ROD, 4.0));
+    }
+    let ends = [reach - half - 2.0, reach + half + 2.0].map(|x| [x, palm]);
+    sheet.line(ends[0], ends[1], &ShapeStyle::line(ROD, 5.0));
 }
 
 /// What of the plane of the arm is shown, behind its axis and in all.

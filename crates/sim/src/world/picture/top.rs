@@ -15,25 +15,20 @@ use crate::world::{ArmState, Object, ToolAction, WorldState};
 pub(super) fn bounds(state: &WorldState) -> Rectangle {
     let far = REACH_MM[1] + 14.0;
     let (mut min, mut max) = (Point::new(-95.0, -far), Point::new(far, far));
-    let mut show = |x: [f64; 2], y: [f64; 2]| {
-        min = Point::new(min.x.min(x[0]), min.y.min(y[0]));
-        max = Point::new(max.x.max(x[1]), max.y.max(y[1]));
+    let mut show = |x: [f64; 2], y: [f64; 2], around: f64| {
+        min = Point::new(min.x.min(x[0] - around), min.y.min(y[0] - around));
+        max = Point::new(max.x.max(x[1] + around), max.y.max(y[1] + around));
     };
     for object in &state.objects {
         let [x, y] = [0.0, 90.0].map(|it| object.footprint().extent(direction(it)));
-        show([x[0] - 10.0, x[1] + 10.0], [y[0] - 10.0, y[1] + 10.0]);
+        show(x, y, 10.0);
     }
     if let Some(paper) = state.paper {
-        show(
-            [paper.from_mm.x - 10.0, paper.to_mm.x + 10.0],
-            [paper.from_mm.y - 10.0, paper.to_mm.y + 10.0],
-        );
+        let (from, to) = (paper.from_mm, paper.to_mm);
+        show([from.x, to.x], [from.y, to.y], 10.0);
     }
     if let Some(arm) = state.arm {
-        show(
-            [arm.x_mm - 30.0, arm.x_mm + 30.0],
-            [arm.y_mm - 30.0, arm.y_mm + 30.0],
-        );
+        show([arm.x_mm; 2], [arm.y_mm; 2], 30.0);
     }
     Rectangle {
         left: -max.y,
@@ -45,13 +40,7 @@ pub(super) fn bounds(state: &WorldState) -> Rectangle {
 
 pub(super) fn view(sheet: &mut Sheet, state: &WorldState, frame: &Rectangle, unit: f64) {
     sheet.reach(REACH_MM, [2.6, -1.2], unit);
-    for (radius, color) in [(62.0, "#eef2f3"), (38.0, "#dfe6ea")] {
-        sheet.circle(
-            [0.0, 0.0],
-            radius,
-            &ShapeStyle::area(color).edged(STEEL, 0.5),
-        );
-    }
+    base(sheet);
     grid(sheet, frame);
     paper(sheet, state);
     marks(sheet, state);
@@ -74,6 +63,13 @@ pub(super) fn view(sheet: &mut Sheet, state: &WorldState, frame: &Rectangle, uni
     let low = frame.bottom() - 4.5 * unit;
     sheet.scale_bar([frame.right() - 5.0 * unit, low], 50.0, unit);
     axes(sheet, [frame.left + 15.0 * unit, low], unit);
+}
+
+fn base(sheet: &mut Sheet) {
+    for (radius, color) in [(62.0, "#eef2f3"), (38.0, "#dfe6ea")] {
+        let style = ShapeStyle::area(color).edged(STEEL, 0.5);
+        sheet.circle([0.0, 0.0], radius, &style);
+    }
 }
 
 /// A cross each 50 mm.
@@ -143,18 +139,19 @@ fn outline(object: &Object) -> String {
             middle,
             half_mm: [along, across],
             turn_deg,
-        } => {
-            let corners = [(1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (-1.0, 1.0)];
-            let mut path = String::new();
-            for (i, (x, y)) in corners.into_iter().enumerate() {
-                let corner =
-                    middle + Vec2::new(x * along, y * across).rotate_scale(direction(turn_deg));
-                let to = if i == 0 { 'M' } else { 'L' };
-                let _ = write!(path, "{to}{:.2} {:.2}", -corner.y, -corner.x);
-            }
-            path + "Z"
-        }
+        } => rectangle(middle, [along, across], turn_deg),
     }
+}
+
+fn rectangle(middle: Point, [along, across]: [f64; 2], turn_deg: f64) -> String {
+    let corners = [(1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (-1.0, 1.0)];
+    let mut path = String::new();
+    for (i, (x, y)) in corners.into_iter().enumerate() {
+        let corner = middle + Vec2::new(x * along, y * across).rotate_scale(direction(turn_deg));
+        let to = if i == 0 { 'M' } else { 'L' };
+        let _ = write!(path, "{to}{:.2} {:.2}", -corner.y, -corner.x);
+    }
+    path + "Z"
 }
 
 /// The name: on the object where there is room and nothing stands there, otherwise below it.
@@ -215,22 +212,13 @@ fn tool(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
             sheet.circle(middle, 0.9, &ShapeStyle::area(INK));
         }
         ToolAction::Laser { .. } => {
-            let housing = Rectangle::between([-9.0, -9.0], [9.0, 9.0]);
-            sheet.rect(&housing, 0.0, &ShapeStyle::area(PAPER).faded(0.3));
-            sheet.rect(&housing, 0.0, &ShapeStyle::line(INK, 0.8));
-            if arm.laser {
-                sheet.circle(middle, 9.0, &ShapeStyle::area("#e0402e").faded(0.18));
-                sheet.circle(middle, 1.6, &ShapeStyle::area("#e0402e"));
-            }
+            laser(sheet, arm.laser);
         }
         ToolAction::SuctionCup { diameter_mm, .. } => {
             let edge = ShapeStyle::line(if arm.pump { WARM } else { INK }, 0.8);
-            sheet.circle(
-                middle,
-                diameter_mm / 2.0,
-                &ShapeStyle::area(PAPER).faded(0.45),
-            );
-            sheet.circle(middle, diameter_mm / 2.0, &edge);
+            let radius = diameter_mm / 2.0;
+            sheet.circle(middle, radius, &ShapeStyle::area(PAPER).faded(0.45));
+            sheet.circle(middle, radius, &edge);
             sheet.path(cross, &edge);
         }
         ToolAction::Gripper { .. } => {
@@ -241,6 +229,17 @@ fn tool(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
             }
             sheet.path(cross, &ShapeStyle::line(INK, 0.8));
         }
+    }
+}
+
+fn laser(sheet: &mut Sheet, is_on: bool) {
+    let middle = [0.0, 0.0];
+    let housing = Rectangle::between([-9.0, -9.0], [9.0, 9.0]);
+    sheet.rect(&housing, 0.0, &ShapeStyle::area(PAPER).faded(0.3));
+    sheet.rect(&housing, 0.0, &ShapeStyle::line(INK, 0.8));
+    if is_on {
+        sheet.circle(middle, 9.0, &ShapeStyle::area("#e0402e").faded(0.18));
+        sheet.circle(middle, 1.6, &ShapeStyle::area("#e0402e"));
     }
 }
 

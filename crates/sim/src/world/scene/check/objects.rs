@@ -211,21 +211,10 @@ impl SceneCheck<'_> {
         known: &[bool],
     ) -> Result<Option<(usize, usize)>, SceneError> {
         let mut waiting = None;
-        for (it, on) in placed
-            .iter()
-            .enumerate()
-            .filter_map(|(i, it)| Some((i, it.on?)))
-        {
-            if known[it] {
-                continue;
-            }
+        let unknown = placed.iter().enumerate().filter(|(i, _)| !known[*i]);
+        for (it, on) in unknown.filter_map(|(i, it)| Some((i, it.on?))) {
             let under = placed.iter().position(|it| it.object.name == *on.get_ref());
-            let fail = |reason| SceneError::Support {
-                line: self.line(on),
-                name: placed[it].object.name.clone(),
-                on: on.get_ref().clone(),
-                reason,
-            };
+            let fail = |reason| self.unsupported(&placed[it], on, reason);
             let under = under.ok_or_else(|| fail("there is no object of that name"))?;
             let footprint = placed[it].object.footprint();
             if !footprint.overlaps(&placed[under].object.footprint()) {
@@ -237,6 +226,20 @@ impl SceneCheck<'_> {
             waiting.get_or_insert_with(|| fail("they stand on each other in a circle"));
         }
         waiting.map_or(Ok(None), Err)
+    }
+
+    fn unsupported(
+        &self,
+        it: &Placed<'_>,
+        on: &Spanned<String>,
+        reason: &'static str,
+    ) -> SceneError {
+        SceneError::Support {
+            line: self.line(on),
+            name: it.object.name.clone(),
+            on: on.get_ref().clone(),
+            reason,
+        }
     }
 }
 

@@ -82,14 +82,15 @@ impl Run {
         Phase::Running { upto }
     }
 
-    /// Returns the remaining time, in seconds (motion model).
+    /// Returns the remaining time at the current speed, in seconds (motion model).
     pub(crate) fn left_s(&self) -> Option<f64> {
         let (started, plan) = (&self.started, &self.started.plan);
         let cycles = plan.cycle().map_or(0, |cycle| started.back / cycle.len);
         #[expect(clippy::cast_precision_loss, reason = "2^53 cycles are out of reach")]
         let over_s =
             plan.cycle_s().unwrap_or(0.0) * cycles as f64 + plan.takes_s(0..started.completed);
-        Some(plan.planned_s()? - over_s)
+        let left_s = plan.planned_s()? - over_s;
+        Some(left_s * 100.0 / started.adjustment.speed_percent)
     }
 
     pub(crate) fn program_view(&self, counted: usize) -> Option<ProgramView> {

@@ -4,7 +4,7 @@ use dobot_api::{JobPhase, News};
 use dobot_arm::Position;
 use dobot_journal::prelude;
 use dobot_motion::TrajectoryError;
-use dobot_session::{SendError, position};
+use dobot_session::{CommandId, SendError, position};
 use dobot_wire::{Command, MoveTo, MovingMode, Status, WriteVector, single};
 
 use crate::refusal::Refusal;
@@ -32,26 +32,28 @@ impl Run {
         run.step_end = step_end;
         let is_planned = run.started.adjustment.speed_percent == 100.0;
         run.target_speed = run.started.target_speed(run.next).filter(|_| !is_planned);
-        let carry_over = run.carry_over_before(paused);
-        if carry_over.is_unknown {
-            run.speeds
-                .stop_each(&run.started.plan, run.started.completed);
-        }
-        let ways = first.iter().chain(&lower);
-        run.carry_over = ways.fold(carry_over, |carry_over, command| {
-            run.after(carry_over, command)
-        });
-        for command in first.iter().chain(&lower) {
-            arm.session().check(command)?;
-        }
-        let mut last = None;
-        for command in first {
-            last = Some(arm.send(&command)?);
-        }
+        run.carry_over_approach(paused, first.iter().chain(&lower));
+        let last = send_first(arm, &first, lower.as_ref())?;
         run.phase = Phase::Approaching { last };
         run.tool = lower.map_or(ToolHeight::Down, ToolHeight::Above);
         let wishes = run.begins();
         Ok((run, wishes))
+    }
+
+    /// Sets the carry-over for the next vector, which is sent after these commands.
+    fn carry_over_approach<'a>(
+        &mut self,
+        paused: Option<&Self>,
+        ways: impl Iterator<Item = &'a Command>,
+    ) {
+        let carry_over = self.carry_over_before(paused);
+        if carry_over.is_unknown {
+            self.speeds
+                .stop_each(&self.started.plan, self.started.completed);
+        }
+        self.carry_over = ways.fold(carry_over, |carry_over, command| {
+            self.after(carry_over, command)
+        });
     }
 
     fn begins(&self) -> [JobEffect; 2] {
@@ -91,6 +93,22 @@ fn located(mut started: StartedJob, status: Option<Status>) -> Result<StartedJob
     Ok(started)
 }
 
+/// Checks all commands of an approach, then sends those before the job. Returns the last one.
+fn send_first(
+    arm: &mut Arm,
+    first: &[Command],
+    lower: Option<&Command>,
+) -> Result<Option<CommandId>, Refusal> {
+    for command in first.iter().chain(lower) {
+        arm.session().check(command)?;
+    }
+    let mut last = None;
+    for command in first {
+        last = Some(arm.send(command)?);
+    }
+    Ok(last)
+}
+
 /// Returns the commands that bring the arm to the start or resume point: settings that a reset may
 /// have lost, and the path. A tool that is lifted in pauses comes down from above.
 fn approach(started: &StartedJob, status: Option<Status>) -> JobApproach {
@@ -100,12 +118,7 @@ fn approach(started: &StartedJob, status: Option<Status>) -> JobApproach {
     };
     let (start, here) = (position(&planned), position(&status));
     if start.distance(here).0 <= THERE_MM {
-        let higher_mm = start.z.0 - here.z.0;
-        if higher_mm.abs() > LEVEL_MM {
-            first.push(straight(higher_mm));
-        } else if may_jump(started) {
-            first.extend(settle());
-        }
+        first.extend(adjust_height(started, start.z.0 - here.z.0));
         return JobApproach { first, lower: None };
     }
     let lift_mm = started.plan.lift().map_or(0.0, f64::from);
@@ -115,8 +128,8 @@ fn approach(started: &StartedJob, status: Option<Status>) -> JobApproach {
         below_mm = here.z.0 - start.z.0;
     } else {
         first.push(hop(above, &planned));
-        if lift_mm == 0.0 && may_jump(started) {
-            first.extend(settle());
+        if lift_mm == 0.0 {
+            first.extend(settle_before_jump(started));
         }
     }
     let mut lower = (below_mm > 0.0).then(|| straight(-below_mm));
@@ -143,6 +156,21 @@ pub(crate) fn straight(z_mm: f64) -> Command {
 /// A small move up and down, after which an arm has forgotten its speed.
 fn settle() -> [Command; 2] {
     [straight(SETTLE_MM), straight(-SETTLE_MM)]
+}
+
+/// Returns the commands for an arm at the place where the job begins, but `higher_mm` below it.
+fn adjust_height(started: &StartedJob, higher_mm: f64) -> Vec<Command> {
+    if higher_mm.abs() > LEVEL_MM {
+        vec![straight(higher_mm)]
+    } else {
+        settle_before_jump(started)
+    }
+}
+
+/// Returns the small move before a stroke that would otherwise begin with a jump.
+fn settle_before_jump(started: &StartedJob) -> Vec<Command> {
+    let moves = may_jump(started).then(settle);
+    moves.into_iter().flatten().collect()
 }
 
 /// Before a straight line whose predecessor may have been cut short: a MOVJ to where the arm is,
