@@ -112,7 +112,7 @@ test("a drawing that is submitted at the board is taken by the arm that has what
   assert.deepEqual(jobs.map(({ title, phase }) => [title, phase]), [["i (Anna)", "done"]]);
 });
 
-test("eyes on me holds each arm and is told on the student's page, a message too; release lets go", async () => {
+test("eyes on me holds each arm and shows on the student's page, a message too; release lets go", async () => {
   await board.fill("#lesson-text", "eyes on me");
   await board.click("#lock");
   await waitForText("#outcome", "3 of 3 locked.");

@@ -53,7 +53,7 @@ impl Procedure {
     }
 
     /// Discards all touches because the base was referenced again, and returns how many there were.
-    pub fn begin_anew(&mut self) -> usize {
+    pub fn restart(&mut self) -> usize {
         self.skipped = 0;
         std::mem::take(&mut self.touches).len()
     }

@@ -342,7 +342,7 @@ impl Joined {
             was_settled != is_settled
         });
         while let Some(member) = self.stops.poll_due(now) {
-            let (requester, handle) = self.to_tell();
+            let (requester, handle) = self.requester_and_station();
             self.stop_exchanges.spawn(async move {
                 let answer = stops::exchange(requester.as_ref(), &handle, &member).await;
                 Some(member)
@@ -357,7 +357,7 @@ impl Joined {
     fn send_stops(&mut self, to: Vec<Arc<Member>>, answers: oneshot::Sender<Vec<MemberAnswer>>) {
         let mut exchanges = JoinSet::new();
         for member in to {
-            let (requester, handle) = self.to_tell();
+            let (requester, handle) = self.requester_and_station();
             exchanges.spawn(async move {
                 let began = Instant::now();
                 let key = MemberKey {
@@ -392,7 +392,7 @@ impl Joined {
         });
     }
 
-    fn to_tell(&self) -> (Option<Requester>, StationHandle) {
+    fn requester_and_station(&self) -> (Option<Requester>, StationHandle) {
         let requester = self.network.as_ref().map(Network::requester).cloned();
         (requester, self.api.handle().clone())
     }

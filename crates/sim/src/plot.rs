@@ -95,7 +95,7 @@ impl Plot<'_> {
             color,
             points: self.over_time(|it, before| {
                 let way = it.joints_deg[joint] - before.joints_deg[joint];
-                if is_set_anew(it, before) {
+                if is_set_again(it, before) {
                     f64::NAN
                 } else {
                     way / TICK_S
@@ -108,7 +108,7 @@ impl Plot<'_> {
     fn tool_speed(&self, sheet: &mut Sheet, time: &Axis) {
         let chart = Chart::new("Tool speed", "mm/s", [1022.0, 130.0]);
         let points = self.over_time(|it, before| {
-            if is_set_anew(it, before) {
+            if is_set_again(it, before) {
                 f64::NAN
             } else if it.joints_deg == before.joints_deg {
                 0.0 // Another tool changes the tool's place, too.
@@ -176,7 +176,7 @@ fn status_s(status: &TracedStatus) -> f64 {
 }
 
 /// Whether the angles changed more in a tick than a motor can turn, so that they were set.
-fn is_set_anew(it: &Snapshot, before: &Snapshot) -> bool {
+fn is_set_again(it: &Snapshot, before: &Snapshot) -> bool {
     let ways = it.joints_deg.iter().zip(&before.joints_deg);
     ways.map(|(a, b)| (a - b).abs()).any(|way| way > 10.0)
 }

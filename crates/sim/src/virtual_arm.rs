@@ -443,7 +443,7 @@ impl VirtualArm {
         self.mechanics.halt(at);
         self.from_arm.cut(at);
         if let Some(faults) = &mut self.faults {
-            self.controller = faults.start_anew(at, &self.controller, &self.mechanics, tilt);
+            self.controller = faults.restart(at, &self.controller, &self.mechanics, tilt);
         }
         self.ticks = 0;
         self.started = started;

@@ -9,7 +9,7 @@ use crate::support::program::{command, dobot};
 use crate::support::terminal::{Keyboard, Terminal};
 
 #[test]
-fn where_a_terminal_tells_presses_alone_the_arm_stops_when_the_key_repeats_no_more() {
+fn without_key_releases_the_arm_stops_when_the_key_stops_repeating() {
     let mut bench = Bench::new(&["jog"], Keyboard::Plain);
     bench.jogs_forward();
     bench.gets_jog(LinearJogAxis::Released);
@@ -43,7 +43,7 @@ fn keys_move_the_arm_as_a_mouse_does() {
 }
 
 #[test]
-fn a_gamepad_that_is_not_there_is_told() {
+fn a_missing_gamepad_is_reported() {
     let verb = ["jog", "--to", "virtual:", "--gamepad", "/dev/input/js99"];
     let status = Terminal::new(&command(&verb), Keyboard::Plain).ends();
     assert_eq!(status.code(), Some(1));

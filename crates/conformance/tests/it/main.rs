@@ -277,7 +277,7 @@ async fn the_arm_ends_where_it_began() {
 }
 
 #[tokio::test]
-async fn an_arm_without_room_is_not_moved_and_told_where_to_stand() {
+async fn an_arm_without_space_is_not_moved_and_the_error_says_where_to_stand() {
     let raised = PowerUp {
         rear_deg: 60.0,
         fore_deg: 92.0,

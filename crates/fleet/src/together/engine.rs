@@ -99,10 +99,10 @@ impl Engine {
     }
 
     /// Handles the observed state of a part.
-    pub(super) fn handle_seen(&mut self, now: Duration, part: usize, seen: &Observation) {
+    pub(super) fn handle_state(&mut self, now: Duration, part: usize, seen: &Observation) {
         self.parts[part].last_contact = now;
         self.parts[part].is_silent = false;
-        if let Err(why) = self.parts[part].see(part, seen, &mut self.news) {
+        if let Err(why) = self.parts[part].handle_observation(part, seen, &mut self.news) {
             self.trouble(part, &why);
         }
     }

@@ -161,7 +161,7 @@ impl<'a> Actor<'a> {
     }
 
     /// Advances the time and observes the job.
-    fn see(&mut self, now: Duration) -> Result<Observation, Refusal> {
+    fn observe(&mut self, now: Duration) -> Result<Observation, Refusal> {
         self.station.run_until(self.began + now, |_| false);
         let state = self.station.supervisor().state();
         let of_state = state.job.clone().filter(|job| job.job == self.job);
@@ -208,8 +208,8 @@ impl Stage<'_> {
         for (part, actor) in self.actors.iter_mut().enumerate() {
             let of_part = actor.part;
             let refused = |refusal| refused(of_part, refusal);
-            let seen = actor.see(self.now).map_err(refused)?;
-            self.engine.handle_seen(self.now, part, &seen);
+            let seen = actor.observe(self.now).map_err(refused)?;
+            self.engine.handle_state(self.now, part, &seen);
             if matches!(seen, Observation::AtPerson(_)) {
                 actor.start().map_err(refused)?;
             }

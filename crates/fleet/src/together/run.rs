@@ -197,13 +197,13 @@ struct Run {
 impl Run {
     /// Observes all parts.
     async fn look(&mut self) {
-        let seen = self.all(0..self.actors.len(), Actor::see).await;
+        let seen = self.all(0..self.actors.len(), Actor::observe).await;
         let now = self.since.elapsed();
         for (part, seen) in seen {
             match seen {
                 Ok(seen) => {
                     self.actors[part].is_unsure = false;
-                    self.engine.handle_seen(now, part, &seen);
+                    self.engine.handle_state(now, part, &seen);
                 }
                 Err(error) => self.engine.handle_silent(now, part, &error.to_string()),
             }
@@ -322,10 +322,10 @@ impl Run {
 
 impl Actor {
     /// Returns the state of the part, within a timeout.
-    async fn see(self) -> Result<Observation, AskError> {
-        let within_s = SEEN_WITHIN.as_secs();
+    async fn observe(self) -> Result<Observation, AskError> {
+        let within_s = STATE_TIMEOUT.as_secs();
         let late = |_| AskError::Unclear(format!("no response within {within_s} s"));
-        timeout(SEEN_WITHIN, self.look()).await.map_err(late)?
+        timeout(STATE_TIMEOUT, self.look()).await.map_err(late)?
     }
 
     async fn look(self) -> Result<Observation, AskError> {
@@ -430,7 +430,7 @@ fn not_started(lease: &Result<String, AskError>) -> Start {
 }
 
 /// The timeout of an observation; meanwhile the other parts are not neglected.
-const SEEN_WITHIN: Duration = Duration::from_secs(2);
+const STATE_TIMEOUT: Duration = Duration::from_secs(2);
 /// The time within which the station also sees that the arm is at rest.
 const RESTS_WITHIN: Duration = Duration::from_secs(5);
 /// The interval of observations.

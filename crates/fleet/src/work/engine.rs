@@ -155,7 +155,7 @@ impl Work {
     }
 
     /// Updates the members. While `held` gives a reason, nothing is offered.
-    pub(crate) fn see(&mut self, members: &Members, held: Option<String>) {
+    pub(crate) fn update_members(&mut self, members: &Members, held: Option<String>) {
         self.members = members.clone();
         self.held = held;
     }

@@ -181,7 +181,7 @@ impl WorkTasks {
         } else {
             Members::default()
         };
-        self.engine.see(&members, held);
+        self.engine.update_members(&members, held);
         while let Some(action) = self.engine.poll_action(self.started.elapsed()) {
             let kept = kept.clone();
             match action {

@@ -315,7 +315,7 @@ mod tests {
     }
 
     #[test]
-    fn a_vector_whose_ticks_add_up_to_less_than_none_is_refused() {
+    fn a_vector_with_a_negative_number_of_ticks_is_refused() {
         // Begun at -0.9 mm/s no tick accelerates to 1 mm/s, because a tick changes 4 mm/s; 0.3 mm
         // at -0.9 mm/s take -16 ticks.
         let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);

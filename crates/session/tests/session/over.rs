@@ -199,7 +199,7 @@ fn a_long_pause_is_reported_once_when_it_begins() {
 }
 
 #[test]
-fn all_targets_out_of_reach_are_reported_and_none_is_over() {
+fn all_targets_out_of_reach_are_reported_and_no_reachable_one() {
     let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
     desk.status_at(200.0, 0.0, 0.0);
     for x_mm in [400.0, 500.0] {

@@ -81,7 +81,7 @@ impl FaultState {
     }
 
     /// Restarts the controller from the readings of the tilt sensors.
-    pub(crate) fn start_anew(
+    pub(crate) fn restart(
         &mut self,
         at: Duration,
         controller: &Controller,

@@ -317,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_kind_is_told_with_all_that_there_are() {
+    fn an_unknown_kind_is_reported_with_all_known_kinds() {
         let error = "dorp=1%".parse::<Fault>().unwrap_err().to_string();
         assert!(error.contains("`dorp`"), "{error}");
         for form in &FORMS {
@@ -326,7 +326,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wrong_value_is_told_with_what_is_allowed() {
+    fn an_invalid_value_is_reported_with_the_allowed_range() {
         for (text, part) in [
             ("drop", "has the value ``; drop allows a share"),
             ("drop=0%", "`0%`"),
@@ -356,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wrong_time_is_told_with_what_is_allowed() {
+    fn an_invalid_time_is_reported_with_the_allowed_range() {
         for (text, part) in [
             ("drop=1%@", "or nothing for always"),
             ("drop=1%@12", "@12s"),

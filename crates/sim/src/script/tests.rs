@@ -75,7 +75,7 @@ fn a_voice_line_is_a_packet_of_text() {
 }
 
 #[test]
-fn a_line_that_is_none_is_told_with_what_is_allowed() {
+fn an_invalid_line_is_reported_with_the_allowed_forms() {
     expect_problem(
         "jump 3",
         &["begins with `jump`", "`credit`, `raw`, `voice`"],

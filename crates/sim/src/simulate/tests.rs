@@ -87,7 +87,7 @@ fn what_is_not_sent_at_the_end_is_counted() {
 }
 
 #[test]
-fn what_is_refused_is_told_with_its_tick() {
+fn refusals_are_reported_with_their_tick() {
     let simulation = specification("!end 300\n100 77 0 0 0 0 0 0 0 0 0");
     let [(at, refused)] = simulation.refused[..] else {
         panic!("{:?}", simulation.refused);

@@ -88,7 +88,7 @@ fn nan_agrees_with_nan_only() {
 }
 
 #[test]
-fn statuses_that_are_missing_or_too_many_are_told_by_their_times() {
+fn missing_and_extra_statuses_are_reported_with_their_times() {
     let (expected, mut found) = (jog(), jog());
     found.statuses.remove(2);
     found.statuses[5].tick += 1;

@@ -64,7 +64,7 @@ async fn a_connection_gets_nothing_that_was_sent_before_it_however_fast_it_comes
 }
 
 #[tokio::test]
-async fn a_program_that_writes_and_leaves_at_once_is_heard() {
+async fn bytes_of_a_program_that_writes_and_closes_at_once_arrive() {
     let (mut server, path) = on_pty();
     serve(&mut server, async |mut events: ServerEvents| {
         plain_open(&path)

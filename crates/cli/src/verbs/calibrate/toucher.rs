@@ -198,7 +198,7 @@ impl Panel for Toucher {
     fn handle_state(&mut self, state: State) {
         let is_lost = state.arm.is_some() && !state.trust.trusted;
         self.pendant.handle_state(state);
-        if is_lost && self.procedure.begin_anew() > 0 {
+        if is_lost && self.procedure.restart() > 0 {
             self.judge();
             let text = "the arm was reset, so that all touches are discarded; touch point 1 again";
             self.pendant.show(text.into());

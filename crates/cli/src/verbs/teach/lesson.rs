@@ -619,7 +619,7 @@ mod tests {
     }
 
     #[test]
-    fn a_step_that_cannot_be_done_is_told_before_anything_runs_and_the_cursor_goes_there() {
+    fn an_impossible_step_is_reported_before_anything_runs_and_the_cursor_moves_to_it() {
         let mut it = Lesson::new("t".into());
         for x in [200.0, 900.0, 210.0] {
             it.capture(&place(x, false), MovingMode::MovL).unwrap();

@@ -537,7 +537,7 @@ mod tests {
     }
 
     #[test]
-    fn a_program_is_submitted_started_paused_and_gone_on_with() {
+    fn a_program_is_submitted_started_paused_and_resumed() {
         let mut it = teacher();
         keyed(&mut it, KeyCode::Enter);
         let submitted = keyed(&mut it, KeyCode::Char('g'));

@@ -83,7 +83,7 @@ impl PartState {
     /// # Errors
     ///
     /// The reason why it does not continue, or cannot any more.
-    pub(super) fn see(
+    pub(super) fn handle_observation(
         &mut self,
         part: usize,
         seen: &Observation,

@@ -184,7 +184,7 @@ impl World {
             } else {
                 let seen = self.desks[part].seen();
                 self.desks[part].known = self.desks[part].passed;
-                self.engine.handle_seen(self.now, part, &seen);
+                self.engine.handle_state(self.now, part, &seen);
             }
             self.follow();
         }

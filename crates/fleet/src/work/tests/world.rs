@@ -213,7 +213,7 @@ impl World {
         let Some(mut work) = self.homes[home].work.take() else {
             return;
         };
-        work.see(&members, self.homes[home].held.clone());
+        work.update_members(&members, self.homes[home].held.clone());
         while let Some(action) = work.poll_action(self.now) {
             match action {
                 Action::Write(ticket) => {
@@ -364,7 +364,7 @@ impl World {
             let Some(work) = &mut self.homes[home].work else {
                 continue;
             };
-            work.see(&members, held);
+            work.update_members(&members, held);
             for view in work.views() {
                 let key = (home, view.id.clone());
                 let is_away = |known: &Arc<Member>| {

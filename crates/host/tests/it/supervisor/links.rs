@@ -129,7 +129,7 @@ fn burning_until(fault: &str) -> (VirtualStation, ClientId, u64) {
     (station, anna, job)
 }
 
-fn assert_armed_anew(station: &mut VirtualStation, anna: ClientId, job: u64, what: &str) {
+fn assert_armed_again(station: &mut VirtualStation, anna: ClientId, job: u64, what: &str) {
     assert_eq!(
         station.supervisor().state().laser.armed_for_s,
         0.0,
@@ -178,7 +178,7 @@ fn a_reset_and_a_power_cut_and_silence_disarm_the_laser_until_a_person_arms_it_a
                 .job()
                 .is_some_and(|job| job.phase == JobPhase::Running)
         );
-        assert_armed_anew(&mut station, anna, job, fault);
+        assert_armed_again(&mut station, anna, job, fault);
     }
 }
 
@@ -190,7 +190,7 @@ fn a_cable_that_is_pulled_disarms_the_laser() {
     assert_eq!(station.supervisor().state().laser.armed_for_s, 0.0);
     station.run_for(Duration::from_millis(300));
     station.plug();
-    assert_armed_anew(&mut station, anna, job, "cable");
+    assert_armed_again(&mut station, anna, job, "cable");
 }
 /// A status of an arm.
 fn status() -> [u8; 42] {

@@ -51,7 +51,7 @@ fn a_shape_of_a_fill_layer_is_an_area_and_a_shape_inside_it_is_a_hole() {
 }
 
 #[test]
-fn groups_are_filled_together_if_the_layer_says_so() {
+fn groups_are_filled_together_if_the_layer_requests_it() {
     let pair = |x: f64| {
         let both = square(0, 9.0, x) + &square(0, 3.0, x);
         shape(
