@@ -132,7 +132,7 @@ impl Watchdog {
     }
 
     /// Handles bytes from the arm: it has room for a packet.
-    pub fn handle_heartbeat(&mut self, now: Duration) {
+    pub fn handle_reply(&mut self, now: Duration) {
         self.handle_time(now);
         if let WatchdogPhase::Stopping(rounds) = &mut self.phase {
             rounds.received = true;

@@ -143,7 +143,7 @@ impl Guard {
         }
         let mut bytes = [0; 4096];
         match rustix::io::read(port, &mut bytes) {
-            Ok(1..) => self.watchdog.handle_heartbeat(self.clock.now()),
+            Ok(1..) => self.watchdog.handle_reply(self.clock.now()),
             Err(Errno::AGAIN | Errno::INTR) => {}
             Ok(0) | Err(_) => return true,
         }

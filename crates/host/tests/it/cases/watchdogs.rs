@@ -316,7 +316,7 @@ impl After {
         let mut bytes = Vec::new();
         self.arm.poll_bytes(&mut bytes);
         if !bytes.is_empty() {
-            self.watchdog.handle_heartbeat(self.now);
+            self.watchdog.handle_reply(self.now);
         }
         self.watchdog.handle_time(self.now);
         while own.first().is_some_and(|own| own.0 <= self.now) {
