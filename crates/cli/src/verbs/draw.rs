@@ -118,7 +118,8 @@ impl<'a> Drawing<'a> {
         dialect: Option<Dialect>,
         standing_z_mm: f64,
     ) -> Result<Self, Failure> {
-        let prepared = shown(asked.progress(), args.result.json, || {
+        let is_hidden = args.result.json;
+        let prepared = shown(asked.progress(), is_hidden, || {
             asked.prepare(dialect, standing_z_mm)
         });
         let (prepared, settings) = prepared.with_context(|| asked.title.clone())?;
@@ -144,9 +145,9 @@ impl<'a> Drawing<'a> {
         let asked = asked
             .calibrated(calibration(args, arm)?)
             .until(cancel.clone());
-        let (title, is_json) = (asked.title.clone(), args.result.json);
+        let (title, is_hidden) = (asked.title.clone(), args.result.json);
         let planning = run_long(move || {
-            shown(asked.progress(), is_json, || {
+            shown(asked.progress(), is_hidden, || {
                 asked.prepare(dialect, status.z_mm.into())
             })
         });
