@@ -5828,7 +5828,7 @@ export interface components {
             keep_order: boolean;
             /**
              * Format: uint32
-             * @description Number of attempts to shorten the pen-up travel; fewer from 14,000 strokes on
+             * @description Number of attempts to shorten the pen-up travel for 10,000 strokes; fewer for fewer strokes and from 14,000 on
              * @default 80000
              */
             tries: number;

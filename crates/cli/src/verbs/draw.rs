@@ -16,11 +16,11 @@ use std::path::Path;
 use anyhow::{Context, anyhow};
 use dobot_api::CalibrationFile;
 use dobot_draw::{
-    Colors, DrawingRequest, FrameShape, InkLine, Picture, Prepared, Settings, View,
+    CancelToken, Colors, DrawingRequest, FrameShape, InkLine, Picture, Prepared, Settings, View,
     WITHOUT_ARM_Z_MM, export, frame, ink_seen,
 };
 use dobot_geometry::{Deviation, Stroke, WorstPoint, deviation};
-use dobot_host::{PlannedFor, StationClient};
+use dobot_host::{PlannedFor, StationClient, run_long};
 use dobot_import::WarningKind;
 use dobot_sim::RECORDING_PERIOD;
 use dobot_wire::{Dialect, Status};
@@ -34,13 +34,14 @@ use self::execute::{Executed, ask_about_frame, check_frame, check_laser, execute
 use self::input::drawing_request;
 pub(crate) use self::input::materials;
 use self::output_files::{check_apart, check_writable, write, write_json};
-use self::planning::{Shown, shown};
+use self::planning::shown;
 use self::rehearse::{Carried, Rehearsed, rehearse};
 use self::report::{Report, Times};
 use crate::control::{self, check_pose};
 use crate::drawing_options::with_option_names;
 use crate::failure::Failure;
 use crate::follow::{progress_bar, share_bar};
+use crate::interrupt::interrupt;
 use crate::output;
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
@@ -57,42 +58,23 @@ async fn draw(args: Args) -> Result<(), Failure> {
     for file in files.into_iter().flatten() {
         check_writable(file)?;
     }
-    let (args, mut asked) = drawing_request(args)?;
-    // Report problems of the drawing before connecting to an arm.
-    let mut drawing = Drawing::new(
-        &args,
-        &asked,
-        args.to.dialect,
-        WITHOUT_ARM_Z_MM,
-        Shown::StepsAndHours,
-    )?;
-    for warning in &drawing.prepared.warnings {
-        let kind = match warning.kind {
-            WarningKind::Note => "note",
-            _ => "warning",
-        };
-        eprintln!("{kind}: {}", with_option_names(&warning.to_string()));
-    }
-    let hours = drawing.prepared.plan.duration_s() / 3600.0;
-    if hours > LONG_HOURS {
-        eprintln!("warning: this takes about {hours:.0} hours");
-    }
+    let (args, asked) = drawing_request(args)?;
     if args.dry_run {
+        let drawing = Drawing::new(&args, &asked, args.to.dialect, WITHOUT_ARM_Z_MM)?;
         return drawing.estimate().await;
     }
     let draw = async |station: &mut StationClient| {
         if args.outline {
             check_frame(station)?;
         }
-        check_pose(station, args.to.pose_confirmed).await?;
         // A virtual arm in this process has its own paper.
-        if station.virtual_arm().is_none() {
+        let drawing = if station.virtual_arm().is_some() {
+            Drawing::new(&args, &asked, args.to.dialect, WITHOUT_ARM_Z_MM)?
+        } else {
             let arm = control::planned_for(station).await?;
-            asked = asked.clone().calibrated(calibration(&args, &arm)?);
-            let status = arm.status();
-            drawing = Drawing::new(&args, &asked, arm.dialect, status.z_mm.into(), Shown::Steps)?;
-            drawing.from = Some(status);
-        }
+            Drawing::for_arm(&args, asked, &arm).await?
+        };
+        check_pose(station, args.to.pose_confirmed).await?;
         let plan = &drawing.prepared.plan;
         check_laser(station, plan, args.arm_laser).await?;
         if args.outline {
@@ -129,30 +111,79 @@ struct Drawing<'a> {
 }
 
 impl<'a> Drawing<'a> {
+    /// Plans the drawing for a virtual arm.
     fn new(
         args: &'a Args,
         asked: &DrawingRequest,
         dialect: Option<Dialect>,
         standing_z_mm: f64,
-        on_terminal: Shown,
     ) -> Result<Self, Failure> {
-        let on_terminal = if args.result.json {
-            Shown::Nothing
-        } else {
-            on_terminal
-        };
-        let prepared = shown(asked.progress(), on_terminal, || {
+        let is_hidden = args.result.json;
+        let prepared = shown(asked.progress(), is_hidden, || {
             asked.prepare(dialect, standing_z_mm)
         });
         let (prepared, settings) = prepared.with_context(|| asked.title.clone())?;
-        Ok(Self {
+        let drawing = Self {
             args,
             title: asked.title.clone(),
             prepared,
             settings,
             dialect,
             from: None,
-        })
+        };
+        drawing.warn();
+        Ok(drawing)
+    }
+
+    /// Plans the drawing for an arm where it stands; Ctrl-C cancels it.
+    async fn for_arm(
+        args: &'a Args,
+        asked: DrawingRequest,
+        arm: &PlannedFor,
+    ) -> Result<Self, Failure> {
+        let (cancel, status, dialect) = (CancelToken::default(), arm.status(), arm.dialect);
+        let asked = asked
+            .calibrated(calibration(args, arm)?)
+            .until(cancel.clone());
+        let (title, is_hidden) = (asked.title.clone(), args.result.json);
+        let planning = run_long(move || {
+            shown(asked.progress(), is_hidden, || {
+                asked.prepare(dialect, status.z_mm.into())
+            })
+        });
+        let prepared = tokio::select! {
+            prepared = planning => prepared.map_err(|error| anyhow!(error))?,
+            () = interrupt() => {
+                cancel.cancel();
+                return Err(anyhow!("interrupted while planning; nothing was drawn").into());
+            }
+        };
+        let (prepared, settings) = prepared.with_context(|| title.clone())?;
+        let drawing = Self {
+            args,
+            title,
+            prepared,
+            settings,
+            dialect,
+            from: Some(status),
+        };
+        drawing.warn();
+        Ok(drawing)
+    }
+
+    /// Prints the warnings about the drawing.
+    fn warn(&self) {
+        for warning in &self.prepared.warnings {
+            let kind = match warning.kind {
+                WarningKind::Note => "note",
+                _ => "warning",
+            };
+            eprintln!("{kind}: {}", with_option_names(&warning.to_string()));
+        }
+        let hours = self.prepared.plan.duration_s() / 3600.0;
+        if hours > LONG_HOURS {
+            eprintln!("warning: this takes about {hours:.0} hours");
+        }
     }
 
     /// Reports the result of a simulation; nothing moves.

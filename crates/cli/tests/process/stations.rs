@@ -241,6 +241,17 @@ fn a_refused_drawing_leaves_no_job() {
 }
 
 #[test]
+fn a_drawing_is_planned_for_the_arm_and_not_for_an_assumed_one_before() {
+    let up = Up::new(&[]);
+    let square = example("square.svg");
+    let draw = ["draw", &square, "--at", "313", "0", "--scale", "0.1"];
+    // An arm reaches further at the height of its shoulder, near which the station's arm stands, than at -40 mm.
+    up.dobot(&[&draw[..], &["--dry-run"]].concat())
+        .fails(1, &["the pen cannot reach", "z -40.0 mm"]);
+    up.dobot(&draw).succeeds();
+}
+
+#[test]
 fn an_interrupted_drawing_is_paused_and_can_be_resumed_or_cancelled() {
     let up = Up::new(&[]);
     // Too many vectors for the arm's queue: a queued vector cannot be paused.

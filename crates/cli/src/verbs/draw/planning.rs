@@ -13,8 +13,8 @@ use crate::output;
 
 /// Runs work that reports its progress, which a terminal shows if the work takes longer, with the duration of a long
 /// drawing. The progress is cleared at the end.
-pub(super) fn shown<T>(progress: &Progress, shown: Shown, work: impl FnOnce() -> T) -> T {
-    if shown == Shown::Nothing || !stderr().is_terminal() {
+pub(super) fn shown<T>(progress: &Progress, is_hidden: bool, work: impl FnOnce() -> T) -> T {
+    if is_hidden || !stderr().is_terminal() {
         return work();
     }
     thread::scope(|scope| {
@@ -23,7 +23,7 @@ pub(super) fn shown<T>(progress: &Progress, shown: Shown, work: impl FnOnce() ->
         scope.spawn(move || {
             let mut screen = Screen {
                 bar: None,
-                shows_hours: shown == Shown::StepsAndHours,
+                shows_hours: true,
             };
             while over.recv_timeout(PERIOD) == Err(RecvTimeoutError::Timeout) {
                 screen.show(progress);
@@ -34,16 +34,6 @@ pub(super) fn shown<T>(progress: &Progress, shown: Shown, work: impl FnOnce() ->
         drop(working);
         done
     })
-}
-
-/// The contents of the terminal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Shown {
-    Nothing,
-    /// The current step and its progress.
-    Steps,
-    /// Also the hours of a long drawing.
-    StepsAndHours,
 }
 
 /// The progress on the terminal.

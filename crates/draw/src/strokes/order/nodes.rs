@@ -92,6 +92,24 @@ impl Nodes {
         way_cost(self.fare, &self.at, a, b).into()
     }
 
+    /// Whether the cost of the way between two nodes may be below this one, which is above 0.
+    #[inline]
+    pub(super) fn may_cost_less(&self, a: u32, b: u32, cost: f64) -> bool {
+        let way = self.at[b as usize] - self.at[a as usize];
+        // The way to the end, which is NaN, costs nothing.
+        way.hypot2().max(0.0) <= self.fare.most_mm2(cost)
+    }
+
+    /// Returns the least cost of the ways from any of these nodes to any of the others: that of the shortest.
+    pub(super) fn least_cost(&self, from: [u32; 2], to: [u32; 2]) -> f64 {
+        let length2 = |a: u32, b: u32| (self.at[b as usize] - self.at[a as usize]).hypot2();
+        let shortest2 = from
+            .map(|a| length2(a, to[0]).min(length2(a, to[1])))
+            .into_iter()
+            .fold(f64::INFINITY, f64::min);
+        rounded_cost(self.fare, shortest2).into()
+    }
+
     /// Returns the cost of an edge of a tour: that of the way, or [`STROKE`].
     pub(super) fn edge_cost(&self, a: u32, b: u32) -> f32 {
         if self.is_stroke(a, b) {
@@ -188,11 +206,15 @@ impl Nodes {
 }
 
 #[inline]
-#[expect(clippy::cast_possible_truncation, reason = "seven digits suffice")]
 fn way_cost(fare: Fare, at: &[Point], a: u32, b: u32) -> f32 {
-    let way = at[b as usize] - at[a as usize];
+    rounded_cost(fare, (at[b as usize] - at[a as usize]).hypot2())
+}
+
+#[inline]
+#[expect(clippy::cast_possible_truncation, reason = "seven digits suffice")]
+fn rounded_cost(fare: Fare, length2: f64) -> f32 {
     // `max` returns the number if the other value is NaN: the way to the end costs nothing.
-    fare.cost(way.hypot2().sqrt().max(0.0)) as f32
+    fare.cost(length2.sqrt().max(0.0)) as f32
 }
 
 /// Returns for each node the other node of the same stroke, or itself.

@@ -1,6 +1,8 @@
 //! A sequence of strokes with the cost of the travel between them, given the best direction of each
 //! stroke.
 
+use std::ops::Range;
+
 use super::nodes::Nodes;
 
 /// An order of strokes that begins with the start. The travel cost of any part, in either direction
@@ -28,6 +30,8 @@ pub(super) struct Row<'a> {
     /// The least costs up to each stroke, if it is not reversed and if it is, above the smaller of
     /// both.
     reached: Vec<[f64; 2]>,
+    /// The places that differ from those of the last order that was kept.
+    changed: Range<usize>,
 }
 
 /// The travel costs through a part, by the directions of its first and last stroke: not reversed or
@@ -62,6 +66,7 @@ impl<'a> Row<'a> {
             is_turned: vec![false; count],
             before: vec![[0; 2]; count],
             reached: vec![[0.0, f64::INFINITY]; count],
+            changed: 0..0,
         };
         for place in 1..count {
             row.gaps[place] = row.gap(row.last(place - 1), row.begins[place]);
@@ -114,13 +119,8 @@ impl<'a> Row<'a> {
         if a >= self.len() || b >= self.len() {
             return 0.0;
         }
-        let mut least = f64::INFINITY;
-        for a in [self.begins[a], self.last(a)] {
-            for b in [self.begins[b], self.last(b)] {
-                least = least.min(self.nodes.cost(a, b));
-            }
-        }
-        least
+        let ends = |place: usize| [self.begins[place], self.last(place)];
+        self.nodes.least_cost(ends(a), ends(b))
     }
 
     /// Returns the total cost if the parts, which must cover the order, were arranged like this.
@@ -165,16 +165,39 @@ impl<'a> Row<'a> {
         self.changed(first.to, rest.from);
     }
 
-    /// Restores another order of the same strokes.
-    pub(super) fn restore(&mut self, other: &Self) {
-        self.begins.copy_from_slice(&other.begins);
-        self.places.copy_from_slice(&other.places);
-        self.gaps.copy_from_slice(&other.gaps);
-        self.parts.copy_from_slice(&other.parts);
-        self.costs.copy_from_slice(&other.costs);
-        self.is_turned.copy_from_slice(&other.is_turned);
-        self.before.copy_from_slice(&other.before);
-        self.reached.copy_from_slice(&other.reached);
+    /// Keeps the changes in this order in another one, which was equal before them.
+    pub(super) fn keep(&mut self, in_other: &mut Self) {
+        in_other.copy(self, self.changed.clone());
+        self.changed = 0..0;
+    }
+
+    /// Undoes the changes since the last call of [`keep`](Self::keep) with this other order.
+    pub(super) fn undo(&mut self, to_other: &Self) {
+        self.copy(to_other, self.changed.clone());
+        self.changed = 0..0;
+    }
+
+    /// Copies the places of a range from another order, which is equal in the others.
+    fn copy(&mut self, other: &Self, range: Range<usize>) {
+        let Range { start, end } = range;
+        let places = |last: usize| start..end.min(last);
+        let strokes = places(self.len());
+        self.begins[strokes.clone()].copy_from_slice(&other.begins[strokes.clone()]);
+        self.number(strokes.clone());
+        self.is_turned[strokes.clone()].copy_from_slice(&other.is_turned[strokes.clone()]);
+        self.before[strokes.clone()].copy_from_slice(&other.before[strokes.clone()]);
+        self.reached[strokes.clone()].copy_from_slice(&other.reached[strokes.clone()]);
+        let costs = places(self.costs.len());
+        self.costs[costs.clone()].copy_from_slice(&other.costs[costs]);
+        let gaps = places(self.gaps.len());
+        self.gaps[gaps.clone()].copy_from_slice(&other.gaps[gaps]);
+        // The gap before a part is in the part around both.
+        let leaves = self.parts.len() / 2;
+        let (mut from, mut to) = (start.max(1) - 1 + leaves, end.min(leaves - 1) + leaves);
+        while from > 1 {
+            (from, to) = (from / 2, to / 2);
+            self.parts[from..=to].copy_from_slice(&other.parts[from..=to]);
+        }
         self.cost = other.cost;
     }
 
@@ -250,15 +273,27 @@ impl<'a> Row<'a> {
 
     /// Updates the order after the strokes of a range have changed.
     fn changed(&mut self, from: usize, to: usize) {
-        for place in from..to {
+        self.number(from..to);
+        // The gap before the first changed stroke changes too.
+        self.rebuild(from.max(1) - 1, to);
+        let priced = self.price(from, to);
+        let (from, to) = (from.min(priced.start), to.max(priced.end) + 1);
+        let changed = &self.changed;
+        self.changed = if changed.is_empty() {
+            from..to
+        } else {
+            changed.start.min(from)..changed.end.max(to)
+        };
+    }
+
+    /// Notes the places of the nodes of a range.
+    fn number(&mut self, range: Range<usize>) {
+        for place in range {
             let begin = self.begins[place];
             for node in [begin, self.nodes.mate(begin)] {
                 self.places[node as usize] = u32::try_from(place).expect("fewer than the nodes");
             }
         }
-        // The gap before the first changed stroke changes too.
-        self.rebuild(from.max(1) - 1, to);
-        self.price(from, to);
     }
 
     /// Rebuilds all parts of the tree with strokes of a range.
@@ -279,8 +314,9 @@ impl<'a> Row<'a> {
     }
 
     /// Computes the costs of the travels with the best directions of all strokes, after the gaps of
-    /// a range have changed. Beyond it, it ends where nothing changes any more.
-    fn price(&mut self, from: usize, to: usize) {
+    /// a range have changed. Beyond it, it ends where nothing changes any more. Returns the range of the places
+    /// computed.
+    fn price(&mut self, from: usize, to: usize) -> Range<usize> {
         let mut place = from.max(1);
         let mut reached = self.reached[place - 1];
         while place < self.len() {
@@ -300,6 +336,7 @@ impl<'a> Row<'a> {
             self.reached[place] = reached;
             place += 1;
         }
+        let end = place;
         // Walk back through the recorded choices to recover the directions.
         let mut turned = if place < self.len() {
             usize::from(self.is_turned[place])
@@ -320,6 +357,7 @@ impl<'a> Row<'a> {
             turned = before;
             place -= 1;
         }
+        place..end
     }
 }
 
@@ -434,6 +472,8 @@ mod tests {
                 part(c, count, false),
             ];
             let reported = row.cost_of(&parts);
+            let mut kept = row.clone();
+            row.keep(&mut kept);
             row.put(&parts);
             let order: Vec<u32> = (1..count).map(|place| row.node(place)).collect();
             let expected = least_of_all(&nodes, &strokes, &order);
@@ -444,6 +484,11 @@ mod tests {
                 // Costs are in single precision, seven digits of at most 13 mm for each stroke.
                 prop_assert!((found - expected).abs() < 1e-5, "{found}, expected {expected} to 1e-5");
             }
+            row.undo(&kept);
+            let all = [part(0, count, false)];
+            prop_assert_eq!(row.tour(), kept.tour());
+            prop_assert_eq!([row.cost(), row.cost_of(&all)], [kept.cost(), kept.cost_of(&all)]);
+            prop_assert_eq!(&row.places, &kept.places);
         }
     }
 }

@@ -43,6 +43,9 @@ pub(super) struct Fare {
     for_mm: f64,
     anyhow: f64,
     least: f64,
+    /// The reciprocals of the factors.
+    per_root: f64,
+    per_mm: f64,
 }
 
 impl Fare {
@@ -54,6 +57,8 @@ impl Fare {
                 for_mm: 1.0,
                 anyhow: 0.0,
                 least: 0.0,
+                per_root: f64::INFINITY,
+                per_mm: 1.0,
             },
             Travel::Time {
                 speed_mm_s: v,
@@ -65,8 +70,24 @@ impl Fare {
                 for_mm: 1.0 / v,
                 anyhow: v / a,
                 least: least_s,
+                per_root: 0.5 * a.sqrt(),
+                per_mm: v,
             },
         }
+    }
+
+    /// Returns the square of a length that no travel cheaper than this cost exceeds, in mm²: for the inner loops,
+    /// without roots.
+    #[inline]
+    pub(super) fn most_mm2(self, cost: f64) -> f64 {
+        let by_root = cost * self.per_root;
+        let most_mm = if by_root * by_root < self.long_mm {
+            by_root * by_root
+        } else {
+            (cost - self.anyhow) * self.per_mm
+        };
+        // Costs are rounded to single precision.
+        most_mm * most_mm * (1.0 + 1e-5)
     }
 
     /// Returns the cost of a straight travel of `length_mm`; 0 for no travel.
@@ -81,5 +102,35 @@ impl Fare {
             self.for_mm * length_mm + self.anyhow
         };
         cost.max(self.least)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_travel_is_cheaper_than_the_longest_of_its_cost() {
+        let timed = |least_s| Travel::Time {
+            speed_mm_s: 50.0,
+            acceleration_mm_s2: 100.0,
+            least_s,
+        };
+        for travel in [Travel::Length, timed(0.0), timed(0.08)] {
+            let fare = Fare::of(travel);
+            for length_mm in [0.01, 0.5, 1.0, 24.9, 25.1, 300.0] {
+                let cost = fare.cost(length_mm);
+                let most_mm = fare.most_mm2(cost).sqrt();
+                assert!(
+                    most_mm >= length_mm,
+                    "{travel:?}: {most_mm}, {length_mm} mm"
+                );
+                let beyond = fare.cost(1.001 * most_mm);
+                assert!(
+                    beyond > cost,
+                    "{travel:?}: {beyond} for {most_mm} mm, {cost}"
+                );
+            }
+        }
     }
 }

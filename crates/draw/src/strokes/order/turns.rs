@@ -57,9 +57,9 @@ impl<'a> Turns<'a> {
             self.settle();
             // Only improvements are kept here; accepting losses is left to the exchanges of edges.
             if self.row.cost() < best.cost() - EPSILON {
-                best.restore(&self.row);
+                self.row.keep(&mut best);
             } else {
-                self.row.restore(&best);
+                self.row.undo(&best);
             }
         }
     }
@@ -182,22 +182,33 @@ impl<'a> Turns<'a> {
 
     /// Moves strokes that begin or end with that of a node next to another one.
     fn shift(&mut self, node: u32, here: usize) -> bool {
-        let after = self.ends_after(here).map(|to| (here, to));
-        let before = self.begins_before(here).map(|from| (from, here + 1));
-        let parts = after.into_iter().chain(before);
-        parts
-            .filter(|&(from, to)| from > 0 && to > 0)
-            .any(|(from, to)| {
-                let outside = self.row.way(if from == here { from } else { to });
-                let mut nearer = self.nearer(node, outside).peekable();
-                if nearer.peek().is_none() {
-                    return false;
-                }
-                let left_out = self.row.way(from) + self.row.way(to) - self.row.least(from - 1, to);
-                nearer.any(|near| {
-                    self.shift_beside((from, to), here, *near, left_out - f64::from(near.cost))
-                })
+        let [outside, beyond] = [here, here + 1].map(|place| self.row.way(place));
+        let [is_outside, is_beyond] =
+            [outside, beyond].map(|way| self.nearer(node, way).next().is_some());
+        is_outside && self.shift_any(node, here, outside, self.ends_after(here))
+            || is_beyond && self.shift_any(node, here, beyond, self.begins_before(here))
+    }
+
+    /// Moves one of these parts, of which a stroke is at one end, next to a stroke that is nearer than the way
+    /// `outside` of the part.
+    fn shift_any(
+        &mut self,
+        node: u32,
+        here: usize,
+        outside: f64,
+        other_ends: [usize; MAX_PARTS],
+    ) -> bool {
+        other_ends.into_iter().filter(|&end| end > 0).any(|end| {
+            let (from, to) = if end > here {
+                (here, end)
+            } else {
+                (end, here + 1)
+            };
+            let left_out = self.row.way(from) + self.row.way(to) - self.row.least(from - 1, to);
+            self.nearer(node, outside).any(|near| {
+                self.shift_beside((from, to), here, *near, left_out - f64::from(near.cost))
             })
+        })
     }
 
     /// Moves a part so that its stroke `here` is next to another one, if that can yield a gain:
@@ -247,11 +258,11 @@ impl<'a> Turns<'a> {
         first_of((here + 1..=self.row.len()).take(LONGEST).filter(is_end))
     }
 
-    /// Returns possible starts of parts that end here.
+    /// Returns possible starts of parts of at least two strokes that end here.
     fn begins_before(&self, here: usize) -> [usize; MAX_PARTS] {
         let is_begin =
             |&from: &usize| here - from < SHORT || from == 1 || self.is_longer(from, from + 1);
-        first_of((1..=here).rev().take(LONGEST).filter(is_begin))
+        first_of((1..here).rev().take(LONGEST).filter(is_begin))
     }
 
     fn is_long(&self, place: usize) -> bool {
