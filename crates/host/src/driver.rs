@@ -587,6 +587,9 @@ impl Driver {
                 Ok(model) => jobs.queue_again(job, key, model, now_ms(), reply),
                 Err(refusal) => drop(reply.send(Err(refusal))),
             },
+            Request::MarkEpisode { .. } if let Some(why) = self.recording.missing() => {
+                let _ = reply.send(Err(Refusal::NotRecorded(why)));
+            }
             Request::MoveJob { job, before } => jobs.move_before(job, before, reply),
             Request::ForgetJob { job } if !self.is_at(job) => jobs.forget(job, reply),
             Request::StartJob { job } | Request::StepJob { job } => {

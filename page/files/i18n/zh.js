@@ -930,6 +930,7 @@ export const zh = {
   "problem.button-taken": "已有同名按钮。请删除它，或使用其他名称。",
   "problem.button-file": "无法读取或保存按钮：{detail}。",
   "problem.no-such-button": "此按钮已不存在。",
+  "problem.not-recorded": "没有记录任何内容：{detail}。",
   "buttons": "按钮",
   "buttons.none": "添加按钮后，只需点击一次即可前往位置、运行程序或发送命令。这台控制站的所有页面都会显示它。",
   "buttons.edit": "编辑按钮…",

@@ -3,7 +3,8 @@
 use std::time::Duration;
 
 use dobot_api::{
-    Button, Calibrations, ClientId, Device, Jog, News, Reply, Request, Role, Sense, TimeSlot,
+    Button, Calibrations, ClientId, Device, EpisodeMark, Jog, News, Reply, Request, Role, Sense,
+    TimeSlot,
 };
 use dobot_arm::{Degrees, Pose, Position};
 use dobot_safety::Policy;
@@ -276,6 +277,7 @@ impl Supervisor {
                 self.notify(News::Message { client }, text);
                 Ok(Reply::Done)
             }
+            Request::MarkEpisode { mark, task } => self.mark_episode(client, mark, task.as_deref()),
             Request::ArmLaser { for_s } => self.arm_laser(client, for_s),
             Request::DisarmLaser => {
                 self.disarm_laser("a client asked for it");
@@ -306,6 +308,29 @@ impl Supervisor {
                 "this request is not accepted here".into(),
             )),
         }
+    }
+
+    /// Marks an episode in the recording, which contains all notices.
+    fn mark_episode(
+        &mut self,
+        client: ClientId,
+        mark: EpisodeMark,
+        task: Option<&str>,
+    ) -> Result<Reply, Refusal> {
+        let name = self.client_name(client);
+        let task = task.map(|task| plain(task, REASON_LEN));
+        let text = match (mark, &task) {
+            (EpisodeMark::Begin, None) => format!("{name} began an episode"),
+            (EpisodeMark::Begin, Some(task)) => format!("{name} began an episode: {task}"),
+            (EpisodeMark::End, None) => format!("{name} ended the episode"),
+            (EpisodeMark::Discard, None) => format!("{name} discarded the episode"),
+            (_, Some(_)) => {
+                let why = "task: allowed only where an episode begins";
+                return Err(Refusal::Malformed(why.into()));
+            }
+        };
+        self.notify(News::EpisodeMarked { mark, task }, text);
+        Ok(Reply::Done)
     }
 
     /// Sends a move that follows from what a sense has located, and publishes where it comes from.
