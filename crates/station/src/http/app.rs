@@ -23,6 +23,7 @@ use crate::http::resources::custom_buttons::CustomButtons;
 use crate::http::resources::drawings::Drawings;
 use crate::http::resources::files::{FileView, StoredFiles};
 use crate::http::resources::recordings::Recordings;
+use crate::http::resources::test_arms::TestArms;
 use crate::http::serve::listen::ConnectionSlot;
 use crate::{ArmsPort, FleetPort};
 
@@ -48,6 +49,8 @@ pub(super) struct App {
     pub(super) drawings: Drawings,
     pub(super) recordings: Recordings,
     pub(super) buttons: CustomButtons,
+    /// The virtual arms for the tests of other programs.
+    pub(super) test_arms: TestArms,
     /// The stored drawings, photos and programs.
     pub(super) files: StoredFiles,
     /// The tools for agents.
@@ -116,6 +119,7 @@ impl App {
             drawings: Drawings::default(),
             recordings: Recordings::new(files.recordings),
             buttons: CustomButtons::at(files.buttons),
+            test_arms: TestArms::default(),
             files: StoredFiles::new(files.stored),
             agents: HttpAgents::new(reach.own),
             learners: Mutex::default(),

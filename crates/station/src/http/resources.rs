@@ -8,3 +8,4 @@ pub(crate) mod page;
 pub(crate) mod programs;
 pub(crate) mod recordings;
 pub(crate) mod sketch;
+pub(crate) mod test_arms;

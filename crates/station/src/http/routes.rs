@@ -17,6 +17,7 @@ mod motion;
 mod observing;
 mod programs;
 mod recordings;
+mod test_arms;
 mod tokens;
 mod virtual_arm;
 mod watching;
@@ -80,6 +81,7 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         tokens::all(),
         addresses::all(),
         virtual_arm::all(),
+        test_arms::all(),
         fleet::all(),
         agents::all(),
     ]
