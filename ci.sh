@@ -47,7 +47,7 @@ readonly WIDE_STEPS=(
   "test-all     Run the tests of the crates that have more features, with all of them"
   "random       Run the unit and property tests with a random seed"
   "doc-all      Build the documentation of the remaining crates"
-  "workflows    Check the workflow files with actionlint"
+  "workflows    Check the workflow files with actionlint, and the installation by the GitHub Action"
   "site         Build README and docs as a website, and check its links"
   "models       Load the arm's models with yourdfpy and mujoco, and compare the kinematics"
   "voice        Measure how well spoken orders are understood, with speech made by flite"
@@ -249,7 +249,8 @@ step_workflows() {
   needs_command node nodejs
   needs_command npm npm
   npm ci --prefix tests/workflows --no-audit --no-fund
-  node tests/workflows/check.mjs .github/workflows/*.yml
+  node tests/workflows/check.mjs .github/workflows/*.yml examples/github-actions/*.yml
+  tests/workflows/install.sh
 }
 
 step_site() {
@@ -264,6 +265,7 @@ step_release() {
     needs_browser
   fi
   build release/all.sh
+  release/image.sh
   release/trial.sh
 }
 

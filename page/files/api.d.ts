@@ -1085,6 +1085,7 @@ export interface paths {
         trace?: never;
     };
     "/api/v1/talk": {
+    "/api/v1/episodes": {
         parameters: {
             query?: never;
             header?: never;
@@ -1112,6 +1113,10 @@ export interface paths {
         get: operations["get_talk_audio"];
         put?: never;
         post?: never;
+        get?: never;
+        put?: never;
+        /** Marks the recording: an episode of a dataset begins or ends here, or is discarded */
+        post: operations["post_episodes"];
         delete?: never;
         options?: never;
         head?: never;
@@ -1443,6 +1448,41 @@ export interface paths {
         put: operations["put_faults"];
         post?: never;
         delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/virtual-arms": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The virtual arms that were started for tests */
+        get: operations["get_virtual-arms"];
+        put?: never;
+        /** Starts a virtual arm for the test of a program, on a TCP port of its own. It ends when its client leaves, on DELETE, or if nobody connects within a minute */
+        post: operations["post_virtual-arms"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/virtual-arms/{arm}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /** Ends a virtual arm that was started for a test */
+        delete: operations["delete_virtual-arms_arm"];
         options?: never;
         head?: never;
         patch?: never;
@@ -2970,6 +3010,13 @@ export interface components {
             client: components["schemas"]["ClientId"];
         } | {
             /** @constant */
+            type: "episode_marked";
+            /** @description The mark. */
+            mark: components["schemas"]["EpisodeMark"];
+            /** @description What the arm does, if the client has said so at the beginning. */
+            task?: string | null;
+        } | {
+            /** @constant */
             type: "laser_armed";
         } | {
             /** @constant */
@@ -3029,6 +3076,10 @@ export interface components {
             /** @constant */
             what: "nothing";
         };
+        /** @description Where a command comes from, if not from a person's own input. */
+        Sense: "camera";
+        /** @description A mark in the recording. */
+        EpisodeMark: "begin" | "end" | "discard";
         /**
          * @description The safety policy: what no client's command may do.
          *
@@ -5100,6 +5151,15 @@ export interface components {
             client: components["schemas"]["ClientId"];
             /** @description Samples at 16 kHz, 16 bits, little-endian, one channel, as Base64; empty at the end of what is said. */
             pcm: string;
+        /** @description A mark in the recording. */
+        NewMark: {
+            /** @description The mark. */
+            mark: components["schemas"]["EpisodeMark"];
+            /**
+             * @description What the arm does; only with `begin`. Cut to 200 characters.
+             * @default null
+             */
+            task: string | null;
         };
         /** @description A recording. */
         RecordingView: {
@@ -6544,6 +6604,48 @@ export interface components {
              */
             seed: number;
         };
+        /** @description A virtual arm for the test of a program. */
+        TestArm: {
+            /**
+             * Format: uint64
+             * @description Its number, for `DELETE`.
+             */
+            arm: number;
+            /**
+             * Format: uint16
+             * @description Its TCP port, at the address of the station.
+             */
+            port: number;
+        };
+        /** @description The virtual arm to start. */
+        NewTestArm: {
+            /**
+             * @description Its behaviour: `specification` (default), or `firmware-1.1` for an arm as sold.
+             * @default specification
+             */
+            personality: string;
+            /**
+             * @description The simulation speed: 0.1 to 1000 times real time, or `max`; default 1.
+             * @default 1
+             */
+            time_factor: string;
+            /**
+             * @description Its faults, in the format of `dobot arm --fault`.
+             * @default []
+             */
+            faults: string[];
+            /**
+             * Format: uint64
+             * @description The random seed of the faults; default 0.
+             * @default 0
+             */
+            seed: number;
+            /**
+             * @description The TOML text of its surroundings, as those of `examples/scenes`.
+             * @default null
+             */
+            scene: string | null;
+        };
         /** @description A fleet, as one of its stations sees it. */
         FleetView: {
             /** @description The fleet name of the reporting station. */
@@ -7015,6 +7117,13 @@ export interface components {
             type: "message";
             /** @description The message. Text beyond 200 characters is cut. */
             text: string;
+        } | {
+            /** @constant */
+            type: "mark_episode";
+            /** @description The mark. */
+            mark: components["schemas"]["EpisodeMark"];
+            /** @description What the arm does; only with `begin`. Text beyond 200 characters is cut. */
+            task?: string | null;
         } | {
             /** @constant */
             type: "arm_laser";
@@ -16391,12 +16500,37 @@ export interface operations {
         requestBody?: never;
         responses: {
             /** @description whether a listener runs */
+    post_episodes: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "mark": "begin",
+                 *       "task": "Pick up the cube."
+                 *     }
+                 */
+                "application/json": components["schemas"]["NewMark"];
+            };
+        };
+        responses: {
+            /** @description the mark is recorded */
             200: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Listener"];
+                    "application/json": components["schemas"]["Reply"];
                 };
             };
             /** @description - `malformed`: the request cannot be understood */
@@ -16422,8 +16556,54 @@ export interface operations {
             /**
              * @description - `forbidden-host`: unknown host name
              *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
              */
             403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is no longer valid */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is invalid */
+            422: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16487,6 +16667,11 @@ export interface operations {
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
+            /**
+             * @description - `not-recorded`: nothing is recorded
+             *     - `ending`: the station is shutting down
+             */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -19098,6 +19283,291 @@ export interface operations {
             /** @description - `ending`: the station is shutting down */
             503: {
                 headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    "get_virtual-arms": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the virtual arms */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TestArm"][];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    "post_virtual-arms": {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "personality": "firmware-1.1",
+                 *       "time_factor": "10"
+                 *     }
+                 */
+                "application/json": components["schemas"]["NewTestArm"];
+            };
+        };
+        responses: {
+            /** @description the virtual arm */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TestArm"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `all-arms-given`: all virtual arms are in use
+             *     - `lease-gone`: the lease token is no longer valid
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `invalid`: a field is invalid
+             *     - `bad-fault`: the fault is invalid
+             *     - `bad-scene`: the scene is invalid
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `arm-not-started`: the virtual arm cannot be started */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    "delete_virtual-arms_arm": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                arm: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the remaining virtual arms */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TestArm"][];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-arm`: there is no such virtual arm */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
                     [name: string]: unknown;
                 };
                 content: {

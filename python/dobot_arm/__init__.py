@@ -24,7 +24,7 @@ from .world import Object, World
 if TYPE_CHECKING:
     from .aio import AsyncArm, AsyncJog, aconnect
     from .calibration import SHEET, Calibration, Touch, calibrate
-    from .recording import Recording, log
+    from .recording import Recording, dataset, log
     from .served import Served, serve
     from .stored import Files, StoredFile, files
     from .simulation import Simulation, simulate
@@ -39,7 +39,7 @@ __all__ = [
     "ProgramStep", "Progress", "Question", "Recording", "Refused", "SHEET", "SeenPosition", "Served", "Simulation", "State",
     "Status", "Step", "StopState", "Stopped", "StoredFile", "Table", "Take", "Tool", "Touch", "World",
     "__version__", "aconnect", "assert_ink", "assert_object", "bar", "calibrate", "calibrate_from_photo",
-    "connect", "draw_crosses", "files", "formats", "kinds", "log", "plan", "program", "program_bar", "serve",
+    "connect", "dataset", "draw_crosses", "files", "formats", "kinds", "log", "plan", "program", "program_bar", "serve",
     "simulate",
 ]
 
@@ -52,6 +52,7 @@ _LATER = {
     "Touch": "calibration",
     "calibrate": "calibration",
     "Recording": "recording",
+    "dataset": "recording",
     "log": "recording",
     "Served": "served",
     "serve": "served",

@@ -15,7 +15,7 @@ Kind = Literal[
     "no-link", "no-listener", "no-question", "no-such-arm", "no-such-button", "no-such-drawing", "no-such-file", "no-such-job",
     "no-such-member", "no-such-recording", "no-such-token", "no-such-work", "no-vectors", "not-asking",
     "not-built",
-    "not-delivered", "not-reached", "not-virtual", "out-of-range", "policy", "policy-file", "recording",
+    "not-delivered", "not-reached", "not-recorded", "not-virtual", "out-of-range", "policy", "policy-file", "recording",
     "role", "slot", "still-moving", "stopped", "timeout", "token-file", "token-name", "token-taken",
     "too-large", "too-many", "too-many-clients", "too-many-requests", "unauthorised", "unguarded",
     "unknown-path", "upgrade", "work-file", "work-phase", "work-refused",

@@ -297,6 +297,15 @@ class Connection:
         return Operation(self._core.follow(_points(points), speed, title), _nothing, progress)
 
     @operation
+    def mark_episode(
+        self, mark: Literal["begin", "end", "discard"], task: str | None = None
+    ) -> Operation[None]:
+        """Marks the station's recording: an episode of a dataset begins here, as ``task`` describes it, ends here, or
+        is discarded. Raises :class:`Refused` if nothing is recorded, as with an arm without a station.
+        """
+        return Operation(self._core.mark_episode(mark, task), _nothing)
+
+    @operation
     def request_control(self, wait: float = 10.0) -> Operation[None]:
         """Takes control of the arm; every motion does so by itself. If another client has it, asks that client and
         waits for at most ``wait`` seconds. Raises :class:`Refused` if it keeps control.

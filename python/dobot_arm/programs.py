@@ -245,9 +245,9 @@ def program(
 
     ``file`` ends in ``.toml``, or in ``.xml``, ``.play`` or ``.playback`` for files of the vendor's software. ``text`` is the
     contents of a TOML file. ``steps`` are dictionaries with the keys of that text, and so are ``points``,
-    ``grids``, ``frames``, ``tools``, ``title`` and ``start_speed_percent``: ``program(points={"tray": {"x":
-    200, "y": 0, "z": 0}}, steps=[{"go": "tray", "suction": True}])``. Files used by a text or by steps are in
-    ``folder``, those used by a file are next to it.
+    ``grids``, ``frames``, ``tools``, ``variables``, ``title`` and ``start_speed_percent``: ``program(points={"tray":
+    {"x": 200, "y": 0, "z": 0}}, steps=[{"go": "tray", "suction": True}])``. Files used by a text or by steps are
+    in ``folder``, those used by a file are next to it.
 
     Raises :class:`ValueError` with the line or the step if it is not a valid program, :class:`OSError` if the
     file cannot be read.

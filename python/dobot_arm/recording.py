@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Iterable
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from ._core import Log
+from ._core import Log, export_lerobot
 from .table import Table
 
 if TYPE_CHECKING:
@@ -49,7 +50,8 @@ class Recording:
         """Writes tables: statuses to a file that ends in ``.csv`` or ``.parquet``, commands to a second file
         next to it.
 
-        With ``task``, a description of what the arm does, ``out`` is the new folder of a dataset for LeRobot.
+        With ``task``, a description of what the arm does, ``out`` is the new folder of a dataset for LeRobot, as
+        :func:`dataset` makes it.
         Returns the names of the written files. Raises :class:`FileExistsError` for existing files (unless
         ``overwrite`` is true), :class:`ValueError` if there is nothing to export.
         """
@@ -57,11 +59,26 @@ class Recording:
         if task is not None:
             if overwrite:
                 raise ValueError("overwrite is not allowed for a dataset, which needs a new folder")
-            self._log.export_lerobot(name, task)
+            dataset(name, [self], task=task)
             return [name]
         if not name.endswith((".csv", ".parquet")):
             raise ValueError(f"{name} ends in neither .csv nor .parquet; a dataset needs task=")
         return [name, os.fspath(self._log.export_files(name, name.endswith(".parquet"), overwrite))]
+
+
+def dataset(
+    out: str | os.PathLike[str], recordings: Iterable[Recording], *, task: str, trim_idle: bool = False
+) -> tuple[int, int]:
+    """Makes one dataset for LeRobot of recordings, in the new folder ``out``; returns the numbers of episodes and
+    frames.
+
+    Each recording begins a new episode: parts of one, ``log(file, start=3, end=12)``, are marked episodes. ``task``
+    describes what the arm does. ``trim_idle`` leaves out the rest before the first motion and after the last one of
+    each episode, but for half a second. Raises :class:`FileExistsError` if the folder exists, :class:`ValueError` if
+    there is nothing to export.
+    """
+    logs = [recording._log for recording in recordings]
+    return export_lerobot(logs, os.fspath(out), task, trim_idle)
 
 
 def log(file: str | os.PathLike[str], *, start: float = 0.0, end: float = math.inf) -> Recording:

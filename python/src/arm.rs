@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use dobot_api::{Button, ClientId, Heard, Request, Sense};
+use dobot_api::{Button, ClientId, EpisodeMark, Heard, Request, Sense};
 use dobot_arm::Tool;
 use dobot_controller::PowerUp;
 use dobot_host::{PathName, Target, TargetPlace, voice_command};
@@ -110,6 +110,21 @@ impl Core {
     /// Takes control, or asks its holder and waits for at most this long, in seconds.
     fn request_control(&self, patience_s: f64) -> PyResult<Pending> {
         Ok(self.begin(Operation::RequestControl(seconds("wait", patience_s)?)))
+    }
+
+    /// Marks an episode in the station's recording: `begin`, `end` or `discard`.
+    fn mark_episode(&self, mark: &str, task: Option<String>) -> PyResult<Pending> {
+        let mark = match mark {
+            "begin" => EpisodeMark::Begin,
+            "end" => EpisodeMark::End,
+            "discard" => EpisodeMark::Discard,
+            other => {
+                return Err(PyValueError::new_err(format!(
+                    "mark is {other:?}; allowed are begin, end and discard"
+                )));
+            }
+        };
+        Ok(self.begin(Operation::Plain(Request::MarkEpisode { mark, task })))
     }
 
     fn release_control(&self) -> Pending {

@@ -26,7 +26,7 @@ use crate::calibrate::{Calibrated, sheet_markers, sheet_points};
 use crate::drawing::{Drawing, Lines, drawing_formats};
 use crate::failure::kinds;
 use crate::files::{Files, TalkAudio};
-use crate::log::Log;
+use crate::log::{Log, export_lerobot};
 use crate::pending::{Pending, Statuses};
 use crate::program::Taught;
 use crate::served::Served;
@@ -44,6 +44,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Simulated>()?;
     module.add_class::<Log>()?;
     module.add_class::<Calibrated>()?;
+    module.add_function(wrap_pyfunction!(export_lerobot, module)?)?;
     module.add_function(wrap_pyfunction!(sheet_markers, module)?)?;
     module.add_function(wrap_pyfunction!(sheet_points, module)?)?;
     module.add_class::<Served>()?;

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 #[cfg(feature = "full")]
-use dobot_record::tables::export_lerobot;
+use dobot_record::tables::{DatasetPart, export_lerobot as export_lerobot_of};
 use dobot_record::tables::{ExportError, TableForm, export_files, holds_packets, read_tables};
 use dobot_record::{OpenError, Recording};
 #[cfg(not(feature = "full"))]
@@ -94,23 +94,43 @@ impl Log {
             Ok(written.map_err(failed)?.1)
         })
     }
+}
 
-    #[cfg(not(feature = "full"))]
-    fn export_lerobot(&self, _out: PathBuf, _task: &str) -> PyResult<(u32, u32)> {
-        self.check()?;
-        Err(not_built())
-    }
+#[cfg(not(feature = "full"))]
+#[pyfunction]
+pub(crate) fn export_lerobot(
+    _logs: Vec<PyRef<'_, Log>>,
+    _out: PathBuf,
+    _task: &str,
+    _trim_idle: bool,
+) -> PyResult<(u32, u32)> {
+    Err(not_built())
+}
 
-    /// Writes a LeRobot dataset into a new folder; returns the numbers of episodes and frames.
-    #[cfg(feature = "full")]
-    fn export_lerobot(&self, py: Python<'_>, out: PathBuf, task: &str) -> PyResult<(u32, u32)> {
-        py.detach(|| {
-            self.check()?;
-            let written = export_lerobot(&mut self.open()?, &self.stretch, &out, task);
-            let dataset = written.map_err(failed)?;
-            Ok((dataset.episodes, dataset.frames))
+/// Writes recordings as one LeRobot dataset into a new folder; returns the numbers of episodes and
+/// frames.
+#[cfg(feature = "full")]
+#[pyfunction]
+pub(crate) fn export_lerobot(
+    py: Python<'_>,
+    logs: Vec<PyRef<'_, Log>>,
+    out: PathBuf,
+    task: &str,
+    trim_idle: bool,
+) -> PyResult<(u32, u32)> {
+    let opened = logs.iter().map(|log| {
+        log.check()?;
+        Ok(DatasetPart {
+            recording: log.open()?,
+            period: log.stretch.clone(),
+            task: task.to_owned(),
         })
-    }
+    });
+    let mut parts: Vec<_> = opened.collect::<PyResult<_>>()?;
+    py.detach(|| {
+        let dataset = export_lerobot_of(&mut parts, trim_idle, &out).map_err(failed)?;
+        Ok((dataset.episodes, dataset.frames))
+    })
 }
 
 impl Log {

@@ -257,6 +257,12 @@ def test_the_words_of_a_step_are_those_of_the_schema() -> None:
     schema = json.loads(Taught.schema())["$defs"]
     assert set(dobot.Step.__annotations__) == set(schema["Step"]["properties"])
     assert set(dobot.Point.__annotations__) == set(schema["Point"]["properties"])
+    for key, name in [("path", "MovingMode"), ("by", "AnsweredBy")]:
+        values = typing.get_args(typing.get_type_hints(dobot.Step)[key])
+        assert set(values) == {choice["const"] for choice in schema[name]["oneOf"]}, key
+    description = dobot.program.__doc__ or ""
+    for key in json.loads(Taught.schema())["properties"]:
+        assert f"``{key}``" in description, key
 
 
 def test_every_kind_of_refusal_has_a_name_a_meaning_and_a_place_in_the_documentation() -> None:

@@ -76,7 +76,7 @@ pub use remote::{
     fingerprint, is_station, post, running,
 };
 pub use reply::Reply;
-pub use request::{Jog, Request, Sense};
+pub use request::{EpisodeMark, Jog, Request, Sense};
 pub use role::{Role, UnknownRole};
 #[cfg(feature = "remote")]
 pub use running::{Running, RunningError};

@@ -6,7 +6,7 @@ use dobot_wire::Dialect;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{ClientId, JobPhase, LinkCause, Sense};
+use crate::{ClientId, EpisodeMark, JobPhase, LinkCause, Sense};
 
 /// An event, for all observers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -173,6 +173,14 @@ pub enum News {
     Message {
         /// The sender.
         client: ClientId,
+    },
+    /// A client marked an episode in the recording.
+    EpisodeMarked {
+        /// The mark.
+        mark: EpisodeMark,
+        /// What the arm does, if the client has said so at the beginning.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        task: Option<String>,
     },
     /// The laser was armed: it may be switched on.
     LaserArmed,

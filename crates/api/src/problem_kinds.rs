@@ -192,6 +192,8 @@ kinds! {
         "The path of the command breaks a rule of the safety policy. `rule` names it, `at_mm` is where it would be broken, and `nearest_mm` is the nearest allowed position.";
     BAD_POLICY = 422 "bad-policy" "the policy is invalid"
         "The text cannot be used as a safety policy. The detail says which line, what was found, and what is allowed. The previous policy stays in force.";
+    NOT_RECORDED = 503 "not-recorded" "nothing is recorded"
+        "A mark needs a recording: that of a station whose disk has room. The detail says what is missing.";
     TOKEN_FILE = 500 "token-file" "the tokens cannot be read or written"
         "The file with the tokens cannot be read or written. Nothing has changed.";
     BUTTON_FILE = 500 "button-file" "the buttons cannot be read or written"

@@ -128,6 +128,14 @@ pub enum Request {
         /// The message. Text beyond 200 characters is cut.
         text: String,
     },
+    /// Mark the recording: an episode of a dataset begins or ends here.
+    MarkEpisode {
+        /// The mark.
+        mark: EpisodeMark,
+        /// What the arm does; only with `begin`. Text beyond 200 characters is cut.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        task: Option<String>,
+    },
     /// Arm the laser for a while: everyone present wears goggles. For a program on the raw port
     /// that has control, an administrator does this.
     ArmLaser {
@@ -283,6 +291,7 @@ impl Request {
             | Self::AskLease
             | Self::GrantLease { .. }
             | Self::Message { .. }
+            | Self::MarkEpisode { .. }
             | Self::ArmLaser { .. }
             | Self::DisarmLaser
             | Self::ConfirmPose
@@ -300,6 +309,18 @@ impl Request {
             | Self::ForgetJob { .. } => Role::Control,
         }
     }
+}
+
+/// A mark in the recording.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum EpisodeMark {
+    /// An episode begins; an open one ends.
+    Begin,
+    /// The episode ends.
+    End,
+    /// The open episode, or the last one, is left out.
+    Discard,
 }
 
 /// Where a command comes from, if not from a person's own input.

@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::{Context, anyhow};
 use dobot_draw::ProgramFiles;
 use dobot_host::{DryRun, PlannedFor};
-use dobot_teach::{Compiled, Files, Program, ProgramForm, Times};
+use dobot_teach::{Compiled, Files, Program, ProgramError, ProgramForm, Times};
 
 use crate::failure::Failure;
 use crate::output::{self, clock};
@@ -70,7 +70,8 @@ pub(crate) fn summary(program: &Compiled, dry_run: &DryRun) -> String {
 
 /// Reads a program of a format. Prints warnings on standard error.
 pub(crate) fn read(file: &Path, form: ProgramForm) -> Result<Program, Failure> {
-    let read = form.read(&bytes(file)?).with_context(|| named(file))?;
+    let read = form.read(&bytes(file)?);
+    let read = read.map_err(|error| mistakes(file, error))?;
     for warning in read.warnings {
         eprintln!("warning: {}: {warning}", named(file));
     }
@@ -114,6 +115,18 @@ pub(crate) fn files_beside(program: &Path, arm: &PlannedFor) -> impl Files + use
         fs::read(folder.join(path)).map_err(|error| format!("cannot read {path}: {error}"))
     };
     ProgramFiles::new(read, arm.dialect(), arm.calibration.clone())
+}
+
+/// The mistakes of a file, each on its own line.
+fn mistakes(file: &Path, mut error: ProgramError) -> anyhow::Error {
+    let others = std::mem::take(&mut error.others);
+    if others.is_empty() {
+        return anyhow::Error::from(error).context(named(file));
+    }
+    let all = std::iter::once(&error).chain(&others);
+    let lines: Vec<String> = all.map(|mistake| format!("  {mistake}")).collect();
+    let count = output::count(lines.len(), "mistake");
+    anyhow!("{} has {count}:\n{}", named(file), lines.join("\n"))
 }
 
 fn named(file: &Path) -> String {

@@ -21,13 +21,14 @@ pub enum ProgramJobError {
     NoStep {
         /// The step, counted from 1.
         found: usize,
-        /// The number of steps, of a program that asks those before its first question.
+        /// The number of steps; of a program that asks, those of its first path (see [`Program::paths`]).
         steps: usize,
     },
 }
 
 /// Returns the job of a program, with another number of cycles unless it is `None`, from a step on,
-/// counted from 1. The steps of every answer are checked with the motion model.
+/// counted from 1. The steps of every answer are checked with the motion model. The steps of a
+/// program that asks are those of its first path: its earlier questions count as answered so.
 ///
 /// # Errors
 ///
@@ -40,18 +41,22 @@ pub fn program_job(
     files: &mut dyn Files,
 ) -> Result<NewJob, ProgramJobError> {
     let (program, compiled) = program.compile_times(times, &arm.arm(), files)?;
-    for path in program.paths(&arm.arm(), files)? {
-        let problems = check(&path, &arm.rules.policy, arm.model()).problems;
+    let paths = program.paths(&arm.arm(), files)?;
+    for path in &paths {
+        let problems = check(path, &arm.rules.policy, arm.model()).problems;
         if !problems.is_empty() {
             return Err(ProgramJobError::Problems(problems));
         }
     }
+    let asks = compiled.asks;
+    let path = paths.into_iter().next().filter(|_| asks);
+    let path = path.unwrap_or(compiled);
     let job = match from_step.checked_sub(1) {
-        Some(from) => program.job(&compiled, from, files)?,
+        Some(from) => program.job(&path, from, &arm.arm(), files)?,
         None => None,
     };
     job.ok_or(ProgramJobError::NoStep {
         found: from_step,
-        steps: compiled.steps.len(),
+        steps: path.steps.len(),
     })
 }

@@ -104,6 +104,14 @@ impl Recording {
         self.record(at, || Record::About(about));
     }
 
+    /// Returns why nothing is recorded now; `None` if all is.
+    pub(crate) fn missing(&self) -> Option<String> {
+        match &self.recorder {
+            Some(recorder) => recorder.health().trouble,
+            None => Some("the station has no recorder".into()),
+        }
+    }
+
     /// Returns a new problem of the recorder, or its end.
     pub(crate) fn poll_trouble(&mut self) -> Option<String> {
         let problem = self.recorder.as_ref()?.health().trouble;

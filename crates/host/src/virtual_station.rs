@@ -270,6 +270,10 @@ impl VirtualStation {
                     let job = self.submit_as(&job, key)?;
                     return self.kept(job);
                 }
+                Request::MarkEpisode { .. } => {
+                    let why = "this arm has no station".to_owned();
+                    return Err(Refusal::NotRecorded(why));
+                }
                 // The virtual arm does not change: its faults define its geometry.
                 Request::Calibrate { calibration } => {
                     let calibrations = self.calibrations.clone();

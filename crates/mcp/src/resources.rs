@@ -2,6 +2,7 @@
 
 use dobot_api::fetch;
 use dobot_draw::Options;
+use dobot_teach::Program;
 use rmcp::ErrorData;
 use rmcp::model::{Resource, ResourceContents};
 use schemars::schema_for;
@@ -20,7 +21,7 @@ pub(crate) fn list() -> Vec<Resource> {
     ROWS.map(row).into()
 }
 
-const ROWS: [(&str, &str, &str, &str); 5] = [
+const ROWS: [(&str, &str, &str, &str); 6] = [
     (
         OPTIONS,
         "Options of drawings",
@@ -32,6 +33,12 @@ const ROWS: [(&str, &str, &str, &str); 5] = [
         "Example of a program",
         "A program that carries cubes, with comments",
         TOML,
+    ),
+    (
+        PROGRAM_SCHEMA,
+        "Format of programs",
+        "The JSON Schema of programs, with all steps and keys",
+        JSON,
     ),
     (POLICY, "Safety policy", "The limits of every motion", JSON),
     (
@@ -58,6 +65,7 @@ pub(crate) async fn read(call: &Call, uri: &str) -> Result<ResourceContents, Err
             schema.to_string()
         }
         PROGRAM => EXAMPLE.to_owned(),
+        PROGRAM_SCHEMA => Program::schema().to_string(),
         POLICY => station(call, "/api/v1/policy").await?,
         WORLD => station(call, "/api/v1/world").await?,
         RECORDINGS => station(call, "/api/v1/recordings").await?,
@@ -86,6 +94,7 @@ async fn station(call: &Call, path: &str) -> Result<String, ErrorData> {
 
 const OPTIONS: &str = "dobot://drawing-options";
 const PROGRAM: &str = "dobot://program";
+const PROGRAM_SCHEMA: &str = "dobot://program-schema";
 const POLICY: &str = "dobot://policy";
 const WORLD: &str = "dobot://world";
 const RECORDINGS: &str = "dobot://recordings";

@@ -171,7 +171,7 @@ pub(crate) const TOOLS: [ToolRow; 12] = [
     ToolRow {
         name: "check_program",
         title: "Check a program",
-        description: "Returns the steps of a program (resource dobot://program), their times, and all problems. Nothing moves.",
+        description: "Returns the steps of a program (resources dobot://program and dobot://program-schema), their times, and all problems. Nothing moves.",
         input: input::<ProgramArguments>,
         output: &[("problems", "array"), ("steps", "array")],
         effect: Effect::Reads,

@@ -24,6 +24,8 @@ pub(crate) struct FileWriter<W: Write> {
     /// An upper bound of the length of the index at the end of the file, in bytes.
     index_len: u64,
     chunk: Option<OpenChunk>,
+    /// The log time of the last message, in nanoseconds since 1970.
+    last_ns: u64,
 }
 
 /// A topic in the file.
@@ -55,6 +57,7 @@ impl<W: Write> FileWriter<W> {
             channels: HashMap::new(),
             index_len: FRAME_LEN,
             chunk: None,
+            last_ns: 0,
         };
         file_writer.write_about(about, start)?;
         Ok(file_writer)
@@ -68,15 +71,18 @@ impl<W: Write> FileWriter<W> {
         self.writer.flush()
     }
 
-    /// Writes a message; it is safe after the next [`FileWriter::flush`].
+    /// Writes a message; it is safe after the next [`FileWriter::flush`]. The log times are in
+    /// order, as readers expect; the time of the message is its publish time.
     pub(crate) fn write(&mut self, message: &Message<'_>) -> McapResult<()> {
+        self.last_ns = self.last_ns.max(message.at_ns);
+        let log_time = self.last_ns;
         let (cost, index_len) = (self.cost(message), self.index_len);
         let channel = self.channel(message.topic)?;
         channel.messages = channel.messages.wrapping_add(1);
         let header = MessageHeader {
             channel_id: channel.id,
             sequence: channel.messages,
-            log_time: message.at_ns,
+            log_time,
             publish_time: message.at_ns,
         };
         self.writer.write_to_known_channel(&header, &message.json)?;

@@ -63,6 +63,7 @@ pub use moment::{Damage, Entry, Moment};
 pub use record::Record;
 pub use recorder::{Health, Recorder};
 pub use recording::{OpenError, Recording};
+pub use repair::{RepairError, copy, repair};
 pub use replay::{Difference, Replay, Report};
 pub use schema::topics;
 pub use topic::{

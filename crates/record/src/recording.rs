@@ -146,7 +146,12 @@ impl Recording {
     }
 
     fn message(&mut self, header: &MessageHeader, data: &[u8]) -> Result<Option<Moment>, String> {
-        let (id, logged_ns) = (header.channel_id, header.log_time);
+        let id = header.channel_id;
+        // The log time of a recorder's message is later if the clock went back.
+        let logged_ns = match &self.about {
+            Some(_) => header.publish_time,
+            None => header.log_time,
+        };
         let channel = self
             .channels
             .get(&id)

@@ -13,12 +13,74 @@ use serde_json::json;
 
 use crate::records::{Flaw, Records};
 use crate::topic::RECORDER;
-use crate::{About, OpenError, file_writer, folder, schema};
+use crate::{About, Damage, OpenError, Recording, file_writer, folder, is_being_written, schema};
+
+/// The error returned when a recording cannot be repaired.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum RepairError {
+    /// The file cannot be opened.
+    #[error(transparent)]
+    Open(#[from] OpenError),
+    /// A program is writing or repairing the file.
+    #[error("the recording is being written; its program finishes it")]
+    BeingWritten,
+    /// Nothing in the file can be read.
+    #[error("nothing in the recording can be read")]
+    Unreadable,
+    /// The new file cannot be written.
+    #[error("cannot write the new file; the disk may be full")]
+    NotWritten,
+}
+
+/// Repairs a truncated or damaged recording: its readable part replaces it, with a note about the
+/// rest. Returns the damage; `None` if there is none, then the file stays unchanged.
+///
+/// # Errors
+///
+/// [`RepairError`]; the file is unchanged then.
+pub fn repair(path: &Path) -> Result<Option<Damage>, RepairError> {
+    // Read first: the recording may be completed in the meantime.
+    let is_being_written = is_being_written(path);
+    let mut recording = Recording::open(path)?;
+    let has_entries = recording.by_ref().count() > 0;
+    let Some(damage) = recording.damage().cloned() else {
+        return Ok(None);
+    };
+    if is_being_written {
+        return Err(RepairError::BeingWritten);
+    }
+    let repair = Repair::begin(path, u64::MAX)?;
+    let repair = repair.ok_or(RepairError::BeingWritten)?;
+    repair.run().check(has_entries)?;
+    Ok(Some(damage))
+}
+
+/// Copies the readable part of a recording, also of one that is being written, to a new file that
+/// is complete. Returns the damage of the recording; the copy has a note about what is missing.
+///
+/// # Errors
+///
+/// [`RepairError`]; then there is no copy.
+pub fn copy(path: &Path, copy: &Path) -> Result<Option<Damage>, RepairError> {
+    let mut recording = Recording::open(path)?;
+    let has_entries = recording.by_ref().count() > 0;
+    let file = File::create_new(copy).map_err(OpenError::from)?;
+    let new = NewFile {
+        path: copy.to_owned(),
+        file,
+        is_kept: false,
+    };
+    let repair = Repair::into_file(path, new, u64::MAX)?;
+    repair.run().check(has_entries)?;
+    Ok(recording.damage().cloned())
+}
 
 /// A repair of a truncated recording into a new file beside it. The old file stays unchanged until
 /// the new one is complete and synced.
 pub(crate) struct Repair {
-    old: PathBuf,
+    /// The old file; `None` for a copy of it.
+    old: Option<PathBuf>,
     old_bytes: u64,
     new: NewFile,
     /// The largest length of the new file, in bytes.
@@ -36,7 +98,7 @@ pub(crate) struct Repair {
     recorder: Option<u16>,
 }
 
-/// The result of a repair.
+/// The result of a repair or of a copy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
     /// The file is complete now.
@@ -45,10 +107,21 @@ pub(crate) enum Outcome {
     Left,
 }
 
-/// The new file; deleted unless it replaces the old one.
+/// The new file; deleted unless it is kept.
 struct NewFile {
     path: PathBuf,
     file: File,
+    is_kept: bool,
+}
+
+impl Outcome {
+    const fn check(self, has_entries: bool) -> Result<(), RepairError> {
+        match self {
+            Self::Repaired => Ok(()),
+            Self::Left if has_entries => Err(RepairError::NotWritten),
+            Self::Left => Err(RepairError::Unreadable),
+        }
+    }
 }
 
 impl Repair {
@@ -57,11 +130,23 @@ impl Repair {
         let Some((new, file)) = folder::beside(path)? else {
             return Ok(None);
         };
-        let new = NewFile { path: new, file };
+        let new = NewFile {
+            path: new,
+            file,
+            is_kept: false,
+        };
+        Ok(Some(Self {
+            old: Some(path.to_owned()),
+            ..Self::into_file(path, new, most)?
+        }))
+    }
+
+    /// Starts to copy the readable part of a file.
+    fn into_file(path: &Path, new: NewFile, most: u64) -> Result<Self, OpenError> {
         let old = File::open(path)?;
         let old_bytes = old.metadata()?.len();
-        Ok(Some(Self {
-            old: path.to_owned(),
+        Ok(Self {
+            old: None,
             old_bytes,
             new,
             most,
@@ -72,7 +157,16 @@ impl Repair {
             start_ns: None,
             last_ns: 0,
             recorder: None,
-        }))
+        })
+    }
+
+    /// Copies all records.
+    fn run(mut self) -> Outcome {
+        loop {
+            if let Some(outcome) = self.step() {
+                return outcome;
+            }
+        }
     }
 
     /// Copies some records; returns the result after the last one.
@@ -163,16 +257,27 @@ impl Repair {
         let Some(mut writer) = self.writer.take().filter(|_| self.holds_something) else {
             return Ok(false);
         };
-        self.write_loss(&mut writer)?;
+        if self.old.is_some() || self.lost_bytes() > 0 {
+            self.write_loss(&mut writer)?;
+        }
         writer.finish()?;
         writer.into_inner().into_inner().flush()?;
         self.new.file.sync_all()?;
+        let Some(old) = &self.old else {
+            self.new.is_kept = true;
+            return Ok(true);
+        };
         // The old one may have been deleted meanwhile to make room.
-        let is_wanted = self.old.exists() && self.new.file.metadata()?.len() <= self.most;
+        let is_wanted = old.exists() && self.new.file.metadata()?.len() <= self.most;
         if is_wanted {
-            folder::replace(&self.new.path, &self.old)?;
+            folder::replace(&self.new.path, old)?;
         }
         Ok(is_wanted)
+    }
+
+    /// The number of bytes of the old file that cannot be read.
+    const fn lost_bytes(&self) -> u64 {
+        self.old_bytes.saturating_sub(self.records.good_bytes())
     }
 
     /// Writes a note about the missing part as the last message.
@@ -188,7 +293,7 @@ impl Repair {
         let reason = self.flaw.as_ref().map_or("", |flaw| &flaw.reason);
         let value = json!({
             "at_s": Duration::from_nanos(at_ns - start_ns).as_secs_f64(),
-            "unreadable_bytes": self.old_bytes.saturating_sub(self.records.good_bytes()),
+            "unreadable_bytes": self.lost_bytes(),
             "reason": format!("the recording was truncated and has been repaired: {reason}"),
         });
         let header = MessageHeader {
@@ -213,7 +318,9 @@ impl Drop for NewFile {
     fn drop(&mut self) {
         // After replacing the old file it no longer exists; a remaining file is deleted at the next
         // start.
-        let _ = std::fs::remove_file(&self.path);
+        if !self.is_kept {
+            let _ = std::fs::remove_file(&self.path);
+        }
     }
 }
 

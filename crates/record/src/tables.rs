@@ -37,6 +37,8 @@
 
 mod cell;
 mod columns;
+#[cfg(feature = "parquet")]
+mod episodes;
 mod error;
 #[cfg(feature = "parquet")]
 mod features;
@@ -54,10 +56,12 @@ mod summary;
 mod table;
 
 pub use columns::STATUS_FLOATS;
+#[cfg(feature = "parquet")]
+pub use episodes::{MarkedEpisode, marked_episodes};
 pub use error::ExportError;
 pub use files::{TableForm, export_files};
 pub use in_memory::{TableColumn, Tables, Values, read_tables};
 #[cfg(feature = "parquet")]
-pub use lerobot::{Dataset, export_lerobot};
+pub use lerobot::{Dataset, DatasetPart, export_lerobot};
 pub use rows::{Written, export_tables, holds_packets};
 pub use table::Table;

@@ -3,9 +3,18 @@
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use dobot_session::Peer;
+use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_session::{Connection, Peer};
 
-use crate::VirtualArm;
+use crate::{SerialLine, VirtualArm};
+
+/// Connects to a new virtual arm in this process, in virtual time.
+#[must_use]
+pub fn connect(personality: Personality) -> Connection {
+    let controller = Controller::power_up(PowerUp::new(personality));
+    let arm = InProcess::new(VirtualArm::new(controller, SerialLine::STOCK));
+    Connection::over_peer(arm, Some(personality.dialect()))
+}
 
 /// A virtual arm in this process: its time passes only while the client waits.
 ///

@@ -4,20 +4,21 @@
 //! for a client in this process, in virtual time or paced; [`Server`] runs it for other programs, in
 //! real time or faster.
 //!
+//! This crate is enough to begin with: [`connect`] gives a virtual arm, and the crates that it is made
+//! of are [`controller`], [`session`] and [`wire`].
+//!
 //! ```
-//! use dobot_session::Connection;
-//! use dobot_controller::{Controller, PowerUp};
-//! use dobot_sim::{InProcess, SerialLine, VirtualArm};
-//! use dobot_wire::Dialect;
+//! use dobot_sim::controller::Personality;
 //!
 //! # #[tokio::main(flavor = "current_thread")]
-//! # async fn main() -> Result<(), dobot_session::LinkError> {
-//! let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), SerialLine::STOCK);
-//! let mut connection = Connection::over_peer(InProcess::new(arm), Some(Dialect::SPECIFICATION));
-//! assert_eq!(connection.next_status().await?.rear_deg, 45.0);
+//! # async fn main() -> Result<(), dobot_sim::session::LinkError> {
+//! let mut arm = dobot_sim::connect(Personality::Specification);
+//! assert_eq!(arm.next_status().await?.rear_deg, 45.0);
 //! # Ok(())
 //! # }
 //! ```
+//!
+//! The feature `world`, on by default, adds paper, objects and a laser that burns.
 
 mod faults;
 mod in_process;
@@ -32,10 +33,14 @@ mod simulate;
 mod speed;
 mod trace;
 mod virtual_arm;
+#[cfg(feature = "world")]
 pub mod world;
 
+pub use dobot_controller as controller;
+pub use dobot_session as session;
+pub use dobot_wire as wire;
 pub use faults::{Fault, FaultEffect, FaultError, Struck};
-pub use in_process::InProcess;
+pub use in_process::{InProcess, connect};
 pub use mechanics::{Joint, Mechanics};
 pub use plot::{Plot, Snapshot};
 #[cfg(unix)]

@@ -1,6 +1,8 @@
 //! A virtual arm on TCP and on a virtual serial port, in real time or faster.
 
 mod client;
+#[cfg(feature = "world")]
+mod surroundings;
 
 use std::future::pending;
 use std::io;
@@ -9,14 +11,14 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use dobot_controller::Refused;
-use tokio::io::AsyncWriteExt;
 use tokio::net::{TcpListener, TcpStream};
-use tokio::time::{Instant, sleep, sleep_until, timeout};
+use tokio::time::{Instant, sleep, sleep_until};
 
 use self::client::Client;
 #[cfg(unix)]
 use crate::pty::Pty;
-use crate::world::{Happened, World};
+#[cfg(feature = "world")]
+use crate::world::Happened;
 use crate::{Speed, Struck, VirtualArm};
 
 /// A virtual arm that runs in real time, or faster, and serves one client at a time.
@@ -65,6 +67,7 @@ pub enum ServerEvent {
     /// The controller refused a packet or command.
     Refused(Refused),
     /// An event in the world around the arm.
+    #[cfg(feature = "world")]
     World(Happened),
     /// An event of a fault.
     Struck(Struck),
@@ -100,14 +103,6 @@ impl Server {
     #[must_use]
     pub fn on_tcp(mut self, listener: TcpListener) -> Self {
         self.tcp = Some(listener);
-        self
-    }
-
-    /// Serves the state of the world: each client of the listener receives one JSON
-    /// document, a [`WorldState`](crate::world::WorldState), or `null` if the arm has no world.
-    #[must_use]
-    pub fn on_world(mut self, listener: TcpListener) -> Self {
-        self.world = Some(listener);
         self
     }
 
@@ -220,7 +215,10 @@ impl Server {
                 self.admit(stream, from, report);
                 Ok(())
             }
+            #[cfg(feature = "world")]
             Happening::Curious(stream) => self.show_world(stream),
+            #[cfg(not(feature = "world"))]
+            Happening::Curious(_) => Ok(()),
             Happening::Bytes(Ok(1..)) => {
                 self.download(report);
                 Ok(())
@@ -238,6 +236,7 @@ impl Server {
         while let Some(struck) = self.arm.poll_struck() {
             report(ServerEvent::Struck(struck));
         }
+        #[cfg(feature = "world")]
         while let Some(happened) = self.arm.poll_world() {
             report(ServerEvent::World(happened));
         }
@@ -254,21 +253,6 @@ impl Server {
             self.welcome(Client::Tcp(stream));
             report(ServerEvent::TcpConnected(from));
         }
-    }
-
-    /// Sends the state of the world; the arm keeps running meanwhile.
-    fn show_world(&self, mut stream: TcpStream) -> io::Result<()> {
-        let state = self.arm.world().map(World::state);
-        let document = serde_json::to_vec(&state).map_err(io::Error::other)?;
-        tokio::spawn(async move {
-            // Whoever does not read it does without.
-            let read = async {
-                stream.write_all(&document).await?;
-                stream.shutdown().await
-            };
-            let _ = timeout(TIME_TO_READ, read).await;
-        });
-        Ok(())
     }
 
     fn welcome(&mut self, client: Client) {
@@ -404,5 +388,3 @@ const LOOK_AT_PTY: Duration = Duration::from_millis(50);
 const PATIENCE: Duration = Duration::from_millis(1);
 /// The delay after a lack of connections.
 const BREATH: Duration = Duration::from_millis(50);
-/// The timeout for sending the state of the world.
-const TIME_TO_READ: Duration = Duration::from_secs(10);

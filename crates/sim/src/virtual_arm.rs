@@ -1,12 +1,16 @@
 //! A virtual arm: a controller on a serial line.
 
+#[cfg(feature = "world")]
+mod surroundings;
+
 use std::time::Duration;
 
 use dobot_arm::{Position, TICK};
 use dobot_controller::{Controller, PowerUp, Refused};
 
 use crate::faults::{ArmOrder, FaultState, LineDirection, Tilt};
-use crate::world::{Actuators, Happened, World};
+#[cfg(feature = "world")]
+use crate::world::World;
 use crate::{Fault, FaultError, Mechanics, SerialLine, Struck};
 
 /// A virtual arm: a controller on a serial line, as an engine that owns no port and no clock.
@@ -28,6 +32,7 @@ pub struct VirtualArm {
     /// The time of the last event, up to which the path is recorded.
     last_event: Duration,
     recorder: Option<Recorder>,
+    #[cfg(feature = "world")]
     world: Option<Box<World>>,
     scratch: Vec<u8>,
 }
@@ -68,6 +73,7 @@ impl VirtualArm {
             now: Duration::ZERO,
             last_event: Duration::ZERO,
             recorder: None,
+            #[cfg(feature = "world")]
             world: None,
             scratch: Vec::new(),
         }
@@ -81,20 +87,6 @@ impl VirtualArm {
         self.faults = Some(Box::new(faults));
         self.strike(Duration::ZERO);
         self
-    }
-
-    /// Places the arm in a world, on which its tool acts from now on.
-    #[must_use]
-    pub fn with_world(mut self, world: World) -> Self {
-        self.world = Some(Box::new(world));
-        self.feel(self.now);
-        self
-    }
-
-    /// Replaces the world and keeps the pose: held objects and marks are lost.
-    pub fn set_world(&mut self, world: World) {
-        self.world = Some(Box::new(world));
-        self.feel(self.now);
     }
 
     /// Replaces all faults; times, packets and statuses count from now. `power_up` is the configuration
@@ -126,17 +118,6 @@ impl VirtualArm {
         }
         self.strike(now);
         Ok(())
-    }
-
-    /// The world around the arm.
-    #[must_use]
-    pub fn world(&self) -> Option<&World> {
-        self.world.as_deref()
-    }
-
-    /// Takes the world events since the last call.
-    pub fn poll_world(&mut self) -> Option<Happened> {
-        self.world.as_mut()?.poll_event()
     }
 
     /// Records the tool pose from now on: at least once per `period` while it moves, and at every
@@ -358,6 +339,7 @@ impl VirtualArm {
             let [from, to] = [self.last_event, event].map(|time| time.saturating_sub(self.started));
             recorder.sample(&self.controller, self.started, from, to);
         }
+        #[cfg(feature = "world")]
         self.go_through_world(event);
         self.last_event = event;
         self.now = event;
@@ -386,29 +368,6 @@ impl VirtualArm {
         if self.controller.tick_count() > self.ticks {
             self.ticks = self.controller.tick_count();
             self.drive(at);
-        }
-    }
-
-    /// Applies the motion since the last event to the world; the machine is at rest at most a tick
-    /// later.
-    fn go_through_world(&mut self, to: Duration) {
-        let tick_over = self.last_event + TICK;
-        if tick_over < to {
-            self.feel(tick_over);
-        }
-        self.feel(to);
-    }
-
-    /// Updates the world with the true pose and the actuators since the last update.
-    fn feel(&mut self, at: Duration) {
-        if let Some(world) = &mut self.world {
-            let outputs = self.controller.outputs();
-            let actuators = Actuators {
-                pump: outputs.pump,
-                laser: self.controller.laser_at_motors(),
-                gripper_deg: (f64::from(outputs.gripper_servo) - 500.0) * 0.18,
-            };
-            world.handle_arm(at, &self.mechanics.joints_at(at), actuators);
         }
     }
 

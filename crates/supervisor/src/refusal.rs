@@ -183,6 +183,9 @@ pub enum Refusal {
     /// The journal cannot be written.
     #[error("the journal of jobs cannot be written: {0}")]
     Journal(String),
+    /// Nothing is recorded that could be marked.
+    #[error("nothing is recorded: {0}")]
+    NotRecorded(String),
     /// The request cannot be understood.
     #[error("the request cannot be understood: {0}")]
     Malformed(String),
@@ -338,6 +341,10 @@ impl Refusal {
             Self::Journal(_) => (
                 problem_kinds::JOURNAL,
                 "make room on the disk, or check the folder's permissions",
+            ),
+            Self::NotRecorded(_) => (
+                problem_kinds::NOT_RECORDED,
+                "use the arm of a station (`dobot up`), which records; its page shows why it cannot",
             ),
             Self::Ending => (problem_kinds::ENDING, "start it again: `dobot up`"),
             // Both texts state what is allowed.

@@ -51,36 +51,76 @@ impl Program {
         self
     }
 
-    /// Returns the job of the compiled program that starts at a step, counted from 0; `None` if
-    /// there is no such step, before the first question. If it asks, the job has what is needed to
-    /// continue it.
+    /// Returns the job that starts at a step of a path through the program, counted from 0; `None`
+    /// if the path has no such step. Questions before that step count as answered as in the path.
+    /// If the program asks, the job has what is needed to continue it.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] if a file cannot be read.
+    /// [`ProgramError`] if a file cannot be read, or the step goes to a position that is given
+    /// while the program runs and that the program asks for before the job would start.
     pub fn job(
         &self,
-        compiled: &Compiled,
+        path: &Compiled,
         from_step: usize,
+        arm: &Calibration,
         files: &mut dyn Files,
     ) -> Result<Option<NewJob>, ProgramError> {
-        let Some(rest) = compiled.from_step(from_step) else {
+        if !path.asks {
+            return Ok(path.from_step(from_step).map(|rest| rest.job()));
+        }
+        if from_step >= path.steps.len() {
+            return Ok(None);
+        }
+        let mut files = self.kept_files(files)?;
+        let begun = self.begun(path, from_step, arm, &mut files)?;
+        let Some(rest) = begun.from_step(from_step) else {
             return Ok(None);
         };
         let mut job = rest.job();
-        if compiled.asks {
-            let asking = AskingProgram {
-                from_step,
-                question: compiled.question.clone(),
-                ..self.asking(files)?
-            };
-            job.program.asking = Some(Box::new(asking));
-        }
+        job.program.asking = Some(Box::new(AskingProgram {
+            text: self.to_toml(),
+            files: files.texts,
+            drawings: files.drawings,
+            from_step,
+            answers: begun.answers,
+            question: begun.question,
+        }));
         Ok(Some(job))
     }
 
-    /// Returns the program with all its files.
-    fn asking(&self, files: &mut dyn Files) -> Result<AskingProgram, ProgramError> {
+    /// Compiles a path up to the question after a step, with as few of its answers as possible.
+    fn begun(
+        &self,
+        path: &Compiled,
+        from_step: usize,
+        arm: &Calibration,
+        files: &mut KeptFiles<'_>,
+    ) -> Result<Compiled, ProgramError> {
+        let mut external = BTreeSet::new();
+        let mut begun = self.compile_answered(arm, files, &[])?;
+        for count in 1..=path.answers.len() {
+            let steps = begun.steps.len();
+            if steps > from_step {
+                break;
+            }
+            if let Some(Question::Place { name }) = begun.question.map(|pending| pending.question) {
+                external.insert(steps);
+                if steps == from_step {
+                    let step = &path.steps[from_step];
+                    return Err(ProgramError {
+                        file: step.file.as_deref().map(str::to_owned),
+                        ..ProgramError::at(step.line, no_place(from_step, &name, &external))
+                    });
+                }
+            }
+            begun = self.compile_answered(arm, files, &path.answers[..count])?;
+        }
+        Ok(begun)
+    }
+
+    /// Reads all files of the program.
+    fn kept_files<'a>(&self, files: &'a mut dyn Files) -> Result<KeptFiles<'a>, ProgramError> {
         let mut kept = KeptFiles {
             source: Some(files),
             texts: BTreeMap::new(),
@@ -89,12 +129,7 @@ impl Program {
         let mut called = Called::default();
         called.load(self, &mut kept, &mut Vec::new())?;
         called.drawings(self, &mut kept)?;
-        Ok(AskingProgram {
-            text: self.to_toml(),
-            files: kept.texts,
-            drawings: kept.drawings,
-            ..AskingProgram::default()
-        })
+        Ok(kept)
     }
 
     /// Returns the paths through a program that asks: each answer of each question is in one of
@@ -187,6 +222,16 @@ pub fn continued(
         ..asking
     }));
     Ok(job)
+}
+
+/// The reason why a job cannot start at a step, counted from 0, whose position is not known yet.
+fn no_place(step: usize, name: &str, external: &BTreeSet<usize>) -> String {
+    let known = (0..step).rev().find(|step| !external.contains(step));
+    format!(
+        "step {} goes to the position {name:?}, which is given while the program runs; start at step {}",
+        step + 1,
+        known.map_or(1, |known| known + 1),
+    )
 }
 
 /// The files of a program, kept for its continuation.

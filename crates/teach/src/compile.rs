@@ -77,6 +77,7 @@ impl Program {
             decisions: Decisions::new(answers, &self.variables),
             out: Compiled {
                 title: self.title.clone(),
+                start_speed_percent: self.start_speed_percent,
                 ..Compiled::default()
             },
         };
@@ -218,7 +219,8 @@ impl Compiler<'_> {
             .into()));
         }
         Ok(Compiled {
-            asks: self.decisions.question.is_some() || self.decisions.has_asked(),
+            asks: self.decisions.question.is_some() || !self.decisions.used().is_empty(),
+            answers: self.decisions.used().to_vec(),
             question: self.decisions.question,
             ..self.out
         })

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use dobot_api::{JobKind, JobPause, JobProgram, JobRepeat, NewJob, PendingQuestion};
+use dobot_api::{Answer, JobKind, JobPause, JobProgram, JobRepeat, NewJob, PendingQuestion};
 use dobot_wire::Command;
 
 use crate::Times;
@@ -12,6 +12,8 @@ use crate::Times;
 pub struct Compiled {
     /// The title.
     pub title: String,
+    /// The speed of the first motion (soft start), in percent of the speed that is set then.
+    pub start_speed_percent: Option<f64>,
     /// The commands, in order; those of a repeat at the end of the program appear once.
     pub commands: Vec<Command>,
     /// The pauses in which the arm waits for a person.
@@ -24,6 +26,8 @@ pub struct Compiled {
     /// softly, or with another tool, speed or grip than it ends with. The number of cycles is then
     /// one more than that of `repeat`.
     pub first_apart: bool,
+    /// The answers that the commands follow, in order.
+    pub answers: Vec<Answer>,
     /// The question asked after the last command.
     pub question: Option<PendingQuestion>,
     /// Whether the program asks anything while it runs, at least up to here.

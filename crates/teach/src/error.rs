@@ -1,5 +1,6 @@
 //! The error of programs.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use thiserror::Error;
@@ -40,7 +41,8 @@ impl ProgramError {
     /// none.
     pub(crate) fn merge(mut mistakes: Vec<Self>) -> Option<Self> {
         mistakes.sort_by_key(|mistake| mistake.line);
-        mistakes.dedup();
+        let mut known = BTreeSet::new();
+        mistakes.retain(|mistake| known.insert((mistake.line, mistake.reason.clone())));
         let mut mistakes = mistakes.into_iter();
         let first = mistakes.next()?;
         Some(Self {

@@ -3,14 +3,15 @@
 use std::ops::Range;
 
 use dobot_api::{JobPause, JobRepeat};
-use dobot_wire::Command;
+use dobot_wire::{Command, PlaybackAdjustment, single};
 
 use crate::{Compiled, CompiledStep};
 
 impl Compiled {
     /// Returns the program from a step on, counted from 0 among [`steps`](Self::steps), preceded by
-    /// the speed and tool settings before it. The rest of the current cycle runs once, then the
-    /// remaining cycles. `None` if there is no such step.
+    /// the speed and tool settings before it. Its first motion is as slow as that of the program.
+    /// The rest of the current cycle runs once, then the remaining cycles. `None` if there is no
+    /// such step.
     #[must_use]
     pub fn from_step(&self, step: usize) -> Option<Self> {
         let first = self.steps.get(step)?.first;
@@ -22,16 +23,55 @@ impl Compiled {
             commands: settings.copied().collect(),
             ..Self::default()
         };
-        rest.append(self, first..self.commands.len());
+        let soft = self.soft_start(first);
+        match soft {
+            Some((target, [slow, normal])) => {
+                rest.append(self, first..target);
+                rest.commands.push(slow);
+                rest.append(self, target..target + 1);
+                rest.commands.push(normal);
+                rest.append(self, target + 1..self.commands.len());
+            }
+            None => rest.append(self, first..self.commands.len()),
+        }
+        let is_in_cycle = |index: usize| self.repeat.is_some_and(|repeat| index >= repeat.from);
         rest.repeat = match self.repeat {
-            Some(repeat) if first > repeat.from => rest.append_cycle(self, repeat),
+            Some(repeat)
+                if first > repeat.from || soft.is_some_and(|(target, _)| is_in_cycle(target)) =>
+            {
+                rest.append_cycle(self, repeat)
+            }
             Some(repeat) => Some(JobRepeat {
-                from: repeat.from - first + rest.commands.len() - (self.commands.len() - first),
+                from: repeat.from + rest.commands.len() - self.commands.len(),
                 ..repeat
             }),
             None => None,
         };
         Some(rest)
+    }
+
+    /// Returns the first target of the commands from `first` on, and the settings before and after
+    /// it for a soft start; `None` if the program has none, or has not moved before `first`.
+    fn soft_start(&self, first: usize) -> Option<(usize, [Command; 2])> {
+        let percent = self.start_speed_percent?;
+        self.commands[..first]
+            .iter()
+            .find(|command| moves(command))?;
+        let mut rest = self.commands[first..].iter();
+        let target = first + rest.position(moves)?;
+        let set = self.commands[..target].iter().rev();
+        let normal = set.copied().find_map(|command| match command {
+            Command::PlaybackAdjustment(normal) => Some(normal),
+            _ => None,
+        })?;
+        if matches!(self.commands[target], Command::WriteVector(_)) {
+            return None;
+        }
+        let slow = PlaybackAdjustment {
+            speed_percent: normal.speed_percent * single(percent / 100.0),
+            ..normal
+        };
+        Some((target, [slow.into(), normal.into()]))
     }
 
     /// Appends the whole cycle after the rest of this one, if it runs again.
@@ -79,14 +119,22 @@ const fn is_setting(command: &Command) -> bool {
     )
 }
 
+/// Whether the command moves the arm.
+const fn moves(command: &Command) -> bool {
+    matches!(
+        command,
+        Command::MoveTo(_) | Command::MoveJoints(_) | Command::WriteVector(_)
+    )
+}
+
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
     use crate::{NoFiles, Program};
 
-    fn compiled(repeat: &str) -> Compiled {
-        let text = format!(
+    fn text(repeat: &str) -> String {
+        format!(
             r#"
             [[steps]]
             go = {{ x = 200, y = 0, z = 0 }}
@@ -103,11 +151,12 @@ mod tests {
             [[steps.steps]]
             go = {{ x = 230, y = 0, z = 0 }}
             "#
-        );
-        Program::from_toml(&text)
-            .unwrap()
-            .compile(&mut NoFiles)
-            .unwrap()
+        )
+    }
+
+    fn compiled(repeat: &str) -> Compiled {
+        let program = Program::from_toml(&text(repeat)).unwrap();
+        program.compile(&mut NoFiles).unwrap()
     }
 
     /// The x of all targets, cycle by cycle.
@@ -153,6 +202,49 @@ mod tests {
         // A wait is a target at the position of the arm.
         assert_eq!(targets(&last, 1), [230.0, 210.0, 210.0, 220.0, 230.0]);
         assert_eq!(last.repeat.unwrap().times, None);
+    }
+
+    /// The speed of each target, in percent, cycle by cycle.
+    fn speeds(compiled: &Compiled) -> Vec<f32> {
+        let cycle = compiled
+            .repeat
+            .map_or(&[][..], |repeat| &compiled.commands[repeat.from..]);
+        let mut percent = 0.0;
+        let speed = |command: &Command| match command {
+            Command::PlaybackAdjustment(set) => {
+                percent = set.speed_percent;
+                None
+            }
+            Command::MoveTo(_) => Some(percent),
+            _ => None,
+        };
+        compiled
+            .commands
+            .iter()
+            .chain(cycle)
+            .filter_map(speed)
+            .collect()
+    }
+
+    #[test]
+    fn the_first_motion_of_the_rest_is_slow_and_no_other_one() {
+        for repeat in ["1", "3", "\"forever\""] {
+            let text = format!("start_speed_percent = 20\n{}", text(repeat));
+            let whole = Program::from_toml(&text).unwrap();
+            let whole = whole.compile(&mut NoFiles).unwrap();
+            for step in 0..whole.steps.len() {
+                let rest = speeds(&whole.from_step(step).unwrap());
+                let normal = if step == 0 { 50.0 } else { 30.0 };
+                assert!(
+                    (rest[0] - normal * 0.2).abs() < 1e-4,
+                    "step {step}: {rest:?}"
+                );
+                assert!(
+                    rest[1..].iter().all(|speed| *speed == 30.0),
+                    "step {step}: {rest:?}"
+                );
+            }
+        }
     }
 
     #[test]

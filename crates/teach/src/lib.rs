@@ -51,6 +51,7 @@ mod error;
 mod files;
 mod from_step;
 mod lines;
+mod mistakes;
 mod number;
 mod place;
 mod plain;

@@ -2,16 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
-use toml::Spanned;
-use toml::de::{DeTable, DeValue, ValueDeserializer};
+use toml::de::{DeTable, DeValue};
 
 use crate::document::on_lines;
 use crate::lines::Lines;
+use crate::mistakes::mistakes_of;
 use crate::number::within;
 use crate::place::{Place, Point};
-use crate::plain::plain;
-use crate::program::{Frame, Grid, MountedTool};
 use crate::similar::nearest;
 use crate::step_table::MIN_SPEED;
 use crate::{Action, Program, ProgramError, Steps};
@@ -39,7 +36,7 @@ impl Program {
         }
         let lines = Lines::of(text);
         let mut program: Self =
-            toml::from_str(text).map_err(|error| value_errors(text, &lines, &error))?;
+            toml::from_str(text).map_err(|first| mistakes_of(text, &lines, &first))?;
         program.lines = lines;
         let mut mistakes = Vec::new();
         program.check_values(&mut |key, reason| {
@@ -65,7 +62,7 @@ impl Program {
     }
 
     /// Checks everything outside the steps; `report` receives the key and the reason.
-    fn check_values(&self, report: &mut impl FnMut(&str, String)) {
+    pub(crate) fn check_values(&self, report: &mut impl FnMut(&str, String)) {
         let mut check = |key: &str, outcome: Result<(), String>| {
             if let Err(reason) = outcome {
                 report(key, reason);
@@ -111,14 +108,13 @@ impl Program {
     /// Checks that every name in the steps is defined.
     fn check_steps(&self, mistakes: &mut Vec<ProgramError>) {
         if self.steps.0.is_empty() {
-            let reason = "the program has no steps; add at least one, as [[steps]]";
-            mistakes.push(ProgramError::new(reason));
+            mistakes.push(ProgramError::new(NO_STEPS));
         }
         self.check_nested(&self.steps, &[], 0, mistakes);
     }
 
     /// Checks steps at a nesting depth within `each` steps over the grids `cells`.
-    fn check_nested<'a>(
+    pub(crate) fn check_nested<'a>(
         &'a self,
         steps: &'a Steps,
         cells: &[&'a str],
@@ -185,6 +181,10 @@ impl Program {
         for name in names {
             check_name("grid", name, &self.grids)?;
             let count = self.grids[name].cells();
+            // Its size is wrong, which is reported with the grid.
+            if count == 0 {
+                continue;
+            }
             let (first, before) = *cells.get_or_insert((name, count));
             if count != before {
                 return Err(format!(
@@ -235,130 +235,8 @@ fn check_name<T>(kind: &str, name: &str, known: &BTreeMap<String, T>) -> Result<
     })
 }
 
-/// The errors of a text that is not a program: the first one, and if it is TOML, all independent
-/// ones.
-fn value_errors(text: &str, lines: &Lines, first: &toml::de::Error) -> ProgramError {
-    let mistake = |error: &toml::de::Error, start: Option<usize>| {
-        let start = error.span().map(|span| span.start).or(start);
-        ProgramError::at(start.map(|start| lines.at(start)), plain(error.message()))
-    };
-    let mut mistakes = Vec::new();
-    let mut has_shapes = false;
-    if let Ok(document) = DeTable::parse(text) {
-        for (key, value) in document.into_inner() {
-            let line = lines.at(key.span().start);
-            let errors = match (&**key.get_ref(), value.into_inner()) {
-                ("tools", DeValue::Table(tools)) => errors_in::<MountedTool>(values(tools)),
-                ("points", DeValue::Table(points)) => errors_in::<Point>(values(points)),
-                ("frames", DeValue::Table(frames)) => errors_in::<Frame>(values(frames)),
-                ("grids", DeValue::Table(grids)) => errors_in::<Grid>(values(grids)),
-                ("steps", DeValue::Array(steps)) => {
-                    let known = mistakes.len();
-                    shape_mistakes(&steps, lines, &mut mistakes);
-                    has_shapes = mistakes.len() > known;
-                    if has_shapes {
-                        Vec::new()
-                    } else {
-                        errors_in::<Action>(steps)
-                    }
-                }
-                (key, _) if !KEYS.contains(&key) => {
-                    let allowed = KEYS.map(|key| format!("`{key}`")).join(", ");
-                    let message = format!("unknown field `{key}`, expected one of {allowed}");
-                    mistakes.push(ProgramError::at(line, plain(&message)));
-                    Vec::new()
-                }
-                _ => Vec::new(),
-            };
-            let errors = errors.iter();
-            mistakes.extend(errors.map(|(start, error)| mistake(error, Some(*start))));
-        }
-    }
-    let commas = decimal_commas(text);
-    if let Some(error) = ProgramError::merge(commas) {
-        return error;
-    }
-    let first = mistake(first, None);
-    if !has_shapes && mistakes.iter().all(|known| known.reason != first.reason) {
-        mistakes.push(first.clone());
-    }
-    ProgramError::merge(mistakes).unwrap_or(first)
-}
-
-/// The numbers with a decimal comma, which no value may have: `x = 200,5`.
-fn decimal_commas(text: &str) -> Vec<ProgramError> {
-    let found = text.lines().enumerate().filter_map(|(index, line)| {
-        let number = line.split('=').skip(1).find_map(comma_number)?;
-        let point = number.replace(',', ".");
-        let reason =
-            format!("the number {number} has a decimal comma; write {point}, with a point");
-        Some(ProgramError::at(index + 1, reason))
-    });
-    found.collect()
-}
-
-/// The number with a comma at the start of a text: `200,5, y`.
-fn comma_number(text: &str) -> Option<&str> {
-    let text = text.trim_start();
-    let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
-    let sign = usize::from(text.starts_with(['-', '+']));
-    let whole = digits(&text[sign..]);
-    let rest = text[sign + whole..].strip_prefix(',')?;
-    let decimals = digits(rest);
-    (whole > 0 && decimals > 0).then(|| &text[..sign + whole + 1 + decimals])
-}
-
-/// The steps whose value lacks its table: `speed = 50`.
-fn shape_mistakes(steps: &[Spanned<DeValue<'_>>], lines: &Lines, mistakes: &mut Vec<ProgramError>) {
-    for step in steps {
-        let DeValue::Table(step) = step.get_ref() else {
-            continue;
-        };
-        for (key, value) in step {
-            let line = lines.at(key.span().start);
-            let written = match (&**key.get_ref(), value.get_ref()) {
-                ("speed", DeValue::Integer(percent)) => {
-                    format!("speed = {{ percent = {} }}", percent.as_str())
-                }
-                ("speed", DeValue::Float(percent)) => {
-                    format!("speed = {{ percent = {} }}", percent.as_str())
-                }
-                ("drawing", DeValue::String(file)) => {
-                    format!(
-                        "drawing = {{ file = {file:?}, pen_down = HEIGHT }}, with the height of the wrist in mm"
-                    )
-                }
-                ("steps" | "when", DeValue::Array(inner)) => {
-                    shape_mistakes(inner, lines, mistakes);
-                    continue;
-                }
-                _ => continue,
-            };
-            let key = key.get_ref();
-            let reason = format!("{key} needs a table; write {written}");
-            mistakes.push(ProgramError::at(line, reason));
-        }
-    }
-}
-
-fn values(table: DeTable<'_>) -> impl Iterator<Item = Spanned<DeValue<'_>>> {
-    table.into_iter().map(|(_, value)| value)
-}
-
-/// The errors of values that are read one by one, each with the start of its value in the text.
-fn errors_in<'de, T: Deserialize<'de>>(
-    values: impl IntoIterator<Item = Spanned<DeValue<'de>>>,
-) -> Vec<(usize, toml::de::Error)> {
-    let read = |value: Spanned<DeValue<'de>>| {
-        let start = value.span().start;
-        let error = T::deserialize(ValueDeserializer::from(value)).err()?;
-        Some((start, error))
-    };
-    values.into_iter().filter_map(read).collect()
-}
-
 /// The line of a key in a text, or of the nearest table that is written out.
-fn line_of(text: &str, key: &str) -> Option<usize> {
+pub(crate) fn line_of(text: &str, key: &str) -> Option<usize> {
     let document = DeTable::parse(text).ok()?;
     let mut table = document.get_ref();
     let mut offset = None;
@@ -387,17 +265,7 @@ fn deep_line(text: &str) -> Option<usize> {
         .map(|at| at + 1)
 }
 
-/// The keys of a program.
-const KEYS: [&str; 8] = [
-    "title",
-    "start_speed_percent",
-    "tools",
-    "points",
-    "frames",
-    "grids",
-    "variables",
-    "steps",
-];
+pub(crate) const NO_STEPS: &str = "the program has no steps; add at least one, as [[steps]]";
 /// 64 MiB: a program of 1,000,000 steps.
 const MAX_TEXT_BYTES: usize = 64 << 20;
 /// A key of a program has two dots for each level of steps.

@@ -930,6 +930,7 @@ export const de = {
   "problem.button-file": "Die Knöpfe können nicht gelesen oder gespeichert werden: {detail}.",
   "problem.no-listener": "Niemand hört zu. Das Programm zum Zuhören neben der Station starten.",
   "problem.no-such-button": "Diesen Knopf gibt es nicht mehr.",
+  "problem.not-recorded": "Es wird nichts aufgezeichnet: {detail}.",
   "buttons": "Knöpfe",
   "buttons.none": "Erreiche eine Position, ein Programm oder einen Befehl mit einem Klick: Füge einen Knopf hinzu. Alle Seiten dieser Station zeigen ihn.",
   "buttons.edit": "Knöpfe bearbeiten …",

@@ -969,6 +969,7 @@ export const en = {
   "problem.button-file": "The buttons cannot be read or saved: {detail}.",
   "problem.no-listener": "Nothing listens to what is said. Start the listener next to the station.",
   "problem.no-such-button": "This button no longer exists.",
+  "problem.not-recorded": "Nothing is recorded: {detail}.",
   "buttons": "Buttons",
   "buttons.none": "Reach a position, a program or a command with one click: add a button. All pages of this station show it.",
   "buttons.edit": "Edit buttons…",

@@ -970,6 +970,7 @@ export const zh = {
   "problem.button-file": "无法读取或保存按钮：{detail}。",
   "problem.no-listener": "没有程序在听。请在控制站旁启动收听程序。",
   "problem.no-such-button": "此按钮已不存在。",
+  "problem.not-recorded": "没有记录任何内容：{detail}。",
   "buttons": "按钮",
   "buttons.none": "添加按钮后，只需点击一次即可前往位置、运行程序或发送命令。这台控制站的所有页面都会显示它。",
   "buttons.edit": "编辑按钮…",

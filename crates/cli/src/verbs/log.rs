@@ -1,6 +1,7 @@
 //! `dobot log`: lists and shows recordings.
 
 mod export;
+mod repair;
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -32,14 +33,16 @@ Examples:
   dobot log FILE --json                   one object per line
   dobot log FILE --export parquet -o run.parquet
                                           statuses; commands in run.commands.parquet
-  dobot log FILE --export lerobot --task 'Draw a square.'
-                                          a LeRobot dataset
+  dobot log FILE FILE --export lerobot --task 'Draw a square.'
+                                          a LeRobot dataset of both
+  dobot log FILE --export mcap            a complete copy, also while it is written
+  dobot log FILE --repair                 complete a recording that was cut off
 
 Times are in seconds from the start of the recording. Foxglove opens the files,
 too.")]
 pub(crate) struct Args {
-    /// Recording: a file, or its name in the folder of recordings
-    file: Option<PathBuf>,
+    /// Recording: a file, or its name in the folder of recordings; several make one dataset
+    files: Vec<PathBuf>,
     #[command(flatten)]
     shelf: Shelf,
     /// Start of the range to show, in seconds
@@ -57,6 +60,9 @@ pub(crate) struct Args {
     /// Print JSON, one object per line
     #[arg(long)]
     json: bool,
+    /// Complete a recording that was cut off or damaged; without a file, all of the folder
+    #[arg(long, conflicts_with_all = ["form", "topics", "json", "since", "until"])]
+    repair: bool,
     #[command(flatten)]
     export: Export,
 }
@@ -78,17 +84,29 @@ pub(crate) struct Shelf {
 }
 
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    match &args.file {
-        None => list(&args.shelf.folder()?, args.json),
-        Some(file) => {
-            let path = args.shelf.find(file)?;
-            if args.export.is_asked() {
-                return args.export.run(&path, &args.range());
-            }
+    let find = |file: &PathBuf| args.shelf.find(file);
+    let paths: Vec<PathBuf> = args.files.iter().map(find).collect::<Result<_, _>>()?;
+    if args.repair {
+        return repair::run(&paths, &args.shelf.folder()?);
+    }
+    if args.export.is_asked() {
+        return args.export.run(&paths, args.range());
+    }
+    match &paths[..] {
+        [] => list(&args.shelf.folder()?, args.json),
+        [path] => {
             // Read first: the recording may be completed in the meantime.
-            let is_being_written = is_being_written(&path);
-            let recording = open(&path)?;
+            let is_being_written = is_being_written(path);
+            let recording = open(path)?;
             Printer::new(args).print(recording, is_being_written)
+        }
+        several => {
+            let error = anyhow!(
+                "one recording is printed at a time; found {}",
+                several.len()
+            );
+            let hint = "name one file; several are for `--export lerobot` and `--repair`";
+            Err(Failure::usage(error).with_hint(hint))
         }
     }
 }

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use anyhow::anyhow;
-use dobot_api::NewJob;
+use anyhow::{Context, anyhow};
+use dobot_api::{Answer, NewJob};
 use dobot_host::{DryRun, PlannedFor, StationClient, dry_run, dry_run_program};
 use dobot_teach::{Compiled, Program, Times};
 use serde::Serialize;
@@ -116,14 +116,22 @@ impl Planned {
         let from = args
             .from
             .map_or(0, |step| usize::try_from(step - 1).unwrap_or(usize::MAX));
-        let job = program.job(&compiled, from, &mut files)?;
-        let job = job.ok_or_else(|| no_step(&compiled, from + 1, file))?;
-        let (compiled, dry_run) = if compiled.asks {
-            dry_run_program(&program, arm, &mut files)?
+        let (path, whole) = if compiled.asks {
+            let (path, whole) = dry_run_program(&program, arm, &mut files)?;
+            (path, Some(whole))
         } else {
-            let compiled = compiled.from_step(from).unwrap_or(compiled);
-            let dry_run = dry_run(&compiled, arm);
-            (compiled, dry_run)
+            (compiled, None)
+        };
+        let job = program.job(&path, from, &arm.arm(), &mut files);
+        let job = job.with_context(|| file.display().to_string())?;
+        let job = job.ok_or_else(|| no_step(&path, from + 1, file))?;
+        let rest = path.from_step(from).unwrap_or_default();
+        let dry_run = match whole {
+            Some(whole) if from == 0 || !whole.problems.is_empty() => whole,
+            whole => DryRun {
+                depends_on_answers: whole.is_some(),
+                ..dry_run(&rest, arm)
+            },
         };
         let problems: Vec<String> = dry_run.problems.iter().map(ToString::to_string).collect();
         if !problems.is_empty() {
@@ -132,7 +140,7 @@ impl Planned {
             return Err(anyhow!("{file} has {count}:\n{}", problems.join("\n")).into());
         }
         Ok(Self {
-            compiled,
+            compiled: rest,
             job,
             dry_run,
         })
@@ -149,7 +157,29 @@ impl Planned {
             })?);
         }
         output::line(&program_file::summary(&self.compiled, &self.dry_run))?;
+        if let Some(line) = self.start_line() {
+            output::line(&line)?;
+        }
         arm.map_or(Ok(()), |arm| Ok(output::line(&arm)?))
+    }
+}
+
+impl Planned {
+    /// The step that a program starts at after a question, with the answers to the earlier ones.
+    fn start_line(&self) -> Option<String> {
+        let asking = self.job.program.asking.as_ref()?;
+        let choices = asking.answers.iter().filter_map(|answer| match answer {
+            Answer::Choice(text) => Some(text.as_str()),
+            _ => None,
+        });
+        let choices: Vec<&str> = choices.collect();
+        if choices.is_empty() {
+            return None;
+        }
+        let (step, choices) = (asking.from_step + 1, choices.join(", "));
+        Some(format!(
+            "starts at step {step}; the questions before it count as answered: {choices}"
+        ))
     }
 }
 
@@ -180,10 +210,12 @@ fn times(args: &Args) -> Option<Times> {
 fn no_step(program: &Compiled, step: usize, file: &Path) -> Failure {
     let (file, steps) = (file.display(), program.steps.len());
     let steps = output::count(steps, "step");
-    let before = if program.asks {
-        " before its first question"
+    let answered = if program.asks {
+        " with the first answer to each question"
     } else {
         ""
     };
-    Failure::usage(anyhow!("{file} has {steps}{before}, and --from is {step}"))
+    Failure::usage(anyhow!(
+        "{file} has {steps}{answered}, and --from is {step}"
+    ))
 }

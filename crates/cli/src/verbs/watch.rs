@@ -13,7 +13,8 @@ use crossterm::event::{
 };
 use crossterm::execute;
 use dobot_api::{
-    ConnectError, Notice, Remote, RemoteError, Request, StationAddress, StationEvent, fetch,
+    ConnectError, EpisodeMark, Notice, Remote, RemoteError, Request, StationAddress, StationEvent,
+    fetch,
 };
 use futures_util::StreamExt;
 use ratatui::DefaultTerminal;
@@ -32,7 +33,8 @@ Examples:
   dobot watch
   dobot watch --station https://lab.example:8642 --fingerprint 5e:aa:...
 
-Keys: s or space stops the arm, r clears the stop (y confirms), q quits.
+Keys: s or space stops the arm, r clears the stop (y confirms), q quits;
+b begins an episode in the recording, e ends it, x discards it.
 If the station goes away, the dashboard waits for it to return.")]
 pub(crate) struct Args {
     #[command(flatten)]
@@ -85,6 +87,7 @@ enum KeyAction {
     /// Show the question whether to clear the stop.
     Ask,
     Reset,
+    Mark(EpisodeMark),
     Nothing,
     Quit,
 }
@@ -168,6 +171,7 @@ impl Watch {
                 reason: Some("a key was pressed in `dobot watch`".into()),
             },
             KeyAction::Reset => Request::ResetStop,
+            KeyAction::Mark(mark) => Request::MarkEpisode { mark, task: None },
             KeyAction::Ask | KeyAction::Nothing | KeyAction::Quit => return,
         };
         let Some(station) = remote else {
@@ -220,6 +224,9 @@ fn action_of(event: &Event, asks: bool) -> KeyAction {
         KeyCode::Char('r' | 'R') => KeyAction::Ask,
         KeyCode::Char('y' | 'Y') if asks => KeyAction::Reset,
         KeyCode::Char('q' | 'Q') => KeyAction::Quit,
+        KeyCode::Char('b' | 'B') if !asks => KeyAction::Mark(EpisodeMark::Begin),
+        KeyCode::Char('e' | 'E') if !asks => KeyAction::Mark(EpisodeMark::End),
+        KeyCode::Char('x' | 'X') if !asks => KeyAction::Mark(EpisodeMark::Discard),
         _ => KeyAction::Nothing,
     }
 }

@@ -21,3 +21,40 @@ fn a_recording_is_exported_as_a_dataset() {
     );
     dobot(&export).fails(1, &["exists", "hint: name a new folder with `-o`"]);
 }
+
+#[test]
+fn several_recordings_and_their_episodes_become_one_dataset() {
+    let (folder, file) = recording();
+    let (_other, other) = recording();
+    let dataset = folder.path().join("dataset");
+    let export = [
+        "log",
+        text(&file),
+        text(&other),
+        "--export",
+        "lerobot",
+        "-o",
+        text(&dataset),
+    ];
+    let outcome = dobot(&export).succeeds();
+    assert!(
+        outcome.stdout.contains("episodes 2, frames 10"),
+        "{outcome:?}"
+    );
+    let dataset = folder.path().join("marked");
+    let export = [
+        "log",
+        text(&file),
+        "--export",
+        "lerobot",
+        "-o",
+        text(&dataset),
+    ];
+    let outcome = dobot(&[&export[..], &["--episode", "1..1.09"]].concat()).succeeds();
+    assert!(
+        outcome.stdout.contains("episodes 1, frames 3"),
+        "{outcome:?}"
+    );
+    let wrong = ["--episode", "1.09..1"];
+    dobot(&[&export[..], &wrong].concat()).fails(2, &["the earlier one first"]);
+}

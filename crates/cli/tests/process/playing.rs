@@ -228,6 +228,35 @@ fn a_person_answers_the_questions_of_a_program_in_the_terminal() {
 }
 
 #[test]
+fn a_start_after_a_question_names_the_answers_that_it_assumes() {
+    let file = InFile::new(
+        "[[steps]]\ngo = { x = 220, y = 0, z = 40 }\n[[steps]]\nchoose = \"Which side?\"\n\
+         [[steps.when]]\nanswer = \"left\"\n[[steps.when.steps]]\ngo = { x = 200, y = 80, z = 40 }\n\
+         [[steps.when]]\nanswer = \"right\"\n[[steps]]\ngo = { from = \"bottle\" }\n",
+    );
+    let path = file.path();
+    let from = |step| {
+        dobot(&[
+            "play",
+            &path,
+            "--to",
+            "virtual:",
+            "--dry-run",
+            "--from",
+            step,
+        ])
+    };
+    let outcome = from("2").succeeds();
+    let line = "starts at step 2; the questions before it count as answered: left";
+    assert!(outcome.stdout.contains(line), "{outcome:?}");
+    from("3").fails(
+        1,
+        &["line 11", "the position \"bottle\"", "start at step 2"],
+    );
+    from("4").fails(2, &["has 3 steps with the first answer to each question"]);
+}
+
+#[test]
 fn every_example_has_the_predicted_duration() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples/programs");
     let files = std::fs::read_dir(folder).expect("the examples are there");
@@ -286,6 +315,20 @@ fn every_problem_of_a_program_is_reported_with_its_line_before_anything_moves() 
         let output = format!("{}{}", outcome.stdout, outcome.stderr);
         for part in parts {
             assert!(output.contains(part), "{verb}: {part} is missing: {output}");
+        }
+    }
+}
+
+#[test]
+fn all_mistakes_of_a_text_are_listed_one_on_a_line() {
+    let file = InFile::new("[[steps]]\nspeed = 50\n[[steps]]\ngo = \"home\"\npause = \"long\"\n");
+    for verb in ["play", "check"] {
+        let outcome = dobot(&[verb, &file.path()]).fails(1, &["job.toml has 3 mistakes:"]);
+        let lines: Vec<&str> = outcome.stderr.lines().skip(1).collect();
+        let starts = ["  line 2: ", "  line 3: ", "  line 5: "];
+        assert_eq!(lines.len(), starts.len(), "{outcome:?}");
+        for (line, start) in lines.iter().zip(starts) {
+            assert!(line.starts_with(start), "{outcome:?}");
         }
     }
 }

@@ -339,3 +339,45 @@ fn the_readable_part_of_a_damaged_recording_is_exported() {
         4
     );
 }
+
+#[test]
+fn a_recording_that_was_cut_off_is_repaired_in_place_and_a_whole_one_is_left_alone() {
+    let (folder, file) = recording();
+    let whole = std::fs::read(&file).expect("it is there");
+    let outcome = dobot(&["log", text(&file), "--repair"]).succeeds();
+    assert!(outcome.stdout.contains("complete"), "{outcome:?}");
+    assert_eq!(std::fs::read(&file).expect("it is there"), whole);
+    // Without the index and the end mark.
+    std::fs::write(&file, &whole[..whole.len() - 40]).expect("there is room");
+    let unreadable = folder.path().join("dobot-2026-11-21T12-29-00Z.mcap");
+    std::fs::write(&unreadable, &whole[..8]).expect("there is room");
+    let all = ["log", "--repair", "--recordings", text(folder.path())];
+    let outcome = dobot(&all).fails(
+        1,
+        &["12-29-00Z.mcap", "nothing in the recording can be read"],
+    );
+    assert!(outcome.stdout.contains("repaired"), "{outcome:?}");
+    let outcome = dobot(&["log", text(&file)]).succeeds();
+    assert!(!outcome.stdout.contains("damaged"), "{outcome:?}");
+    assert!(outcome.stdout.contains("move_to"), "{outcome:?}");
+}
+
+#[test]
+fn a_recording_that_is_being_written_is_copied_as_a_complete_one() {
+    let (folder, file) = recording();
+    let whole = std::fs::read(&file).expect("it is there");
+    std::fs::write(&file, &whole[..whole.len() - 40]).expect("there is room");
+    let writer = std::fs::File::open(&file).expect("it is there");
+    writer.lock().expect("nobody else has it");
+    dobot(&["log", text(&file), "--repair"]).fails(1, &["being written", "--export mcap"]);
+    let copy = folder.path().join("copy.mcap");
+    let export = ["log", text(&file), "--export", "mcap", "-o", text(&copy)];
+    let outcome = dobot(&export).succeeds();
+    assert!(outcome.stderr.is_empty(), "{outcome:?}");
+    let bytes = std::fs::read(&copy).expect("it is there");
+    assert!(bytes.ends_with(b"\x89MCAP0\r\n"), "it has its end mark");
+    let listed = dobot(&["log", text(&copy)]).succeeds().stdout;
+    assert!(listed.contains("/events"), "{listed}");
+    assert!(!listed.contains("damaged"), "{listed}");
+    dobot(&export).fails(1, &["exists", "never overwritten"]);
+}

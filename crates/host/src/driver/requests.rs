@@ -69,6 +69,12 @@ impl Driver {
         if self.supervisor.check_request(client, &request).is_err() {
             return Some((request, reply));
         }
+        if matches!(request, Request::MarkEpisode { .. })
+            && let Some(why) = self.recording.missing()
+        {
+            drop(reply.send(Err(Refusal::NotRecorded(why))));
+            return None;
+        }
         let jobs = self.jobs.clone();
         match request {
             Request::SubmitJob { job, key } => match self.supervisor.planning_model() {

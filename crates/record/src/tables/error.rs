@@ -29,7 +29,7 @@ pub enum ExportError {
     #[cfg(feature = "parquet")]
     /// The recording contains no motion for a dataset.
     #[error(
-        "the recording has no two statuses less than a second apart in this period; a dataset needs them"
+        "there is no motion in this period: no two statuses less than a second apart, or with --trim-idle none that differ; a dataset needs them"
     )]
     NoMotion,
     #[cfg(feature = "parquet")]

@@ -92,10 +92,12 @@ impl Feature {
     }
 }
 
-/// The values of each feature for a frame. The action of a frame is the state of the next one.
-pub(crate) fn values(frame: &Frame, next: &Status, episode: u32, index: u32) -> [Vec<f64>; 8] {
+/// The values of each feature for a frame, with the numbers of its episode, itself and its task. The
+/// action of a frame is the state of the next one.
+pub(crate) fn values(frame: &Frame, next: &Status, counters: [u32; 3]) -> [Vec<f64>; 8] {
     let status = &frame.status;
     let number = f64::from(frame.number);
+    let [episode, index, task] = counters.map(|counter| vec![f64::from(counter)]);
     [
         state(status),
         [status.x_mm, status.y_mm, status.z_mm, status.rotation_deg]
@@ -104,9 +106,9 @@ pub(crate) fn values(frame: &Frame, next: &Status, episode: u32, index: u32) -> 
         state(next),
         vec![number / f64::from(FPS)],
         vec![number],
-        vec![f64::from(episode)],
-        vec![f64::from(index)],
-        vec![0.0],
+        episode,
+        index,
+        task,
     ]
 }
 

@@ -28,24 +28,35 @@ pub struct Dataset {
     pub left_out: u32,
 }
 
-/// Exports a period of a recording, in time since the start of its recorder, as a dataset in a new
-/// folder; `task` describes what the arm does.
+/// A part of a recording for a dataset.
+#[derive(Debug)]
+pub struct DatasetPart {
+    /// The recording.
+    pub recording: Recording,
+    /// The period, in time since the start of its recorder.
+    pub period: RangeInclusive<Duration>,
+    /// What the arm does.
+    pub task: String,
+}
+
+/// Exports parts of recordings as one dataset in a new folder; each of them begins a new episode.
+/// With `trims_idle` the rest before the first motion and after the last one of each episode is
+/// left out, but for half a second, and so are episodes without motion.
 ///
 /// # Errors
 ///
-/// [`ExportError`] if the folder exists or cannot be written, or the recording has no motion; then
-/// no dataset remains.
+/// [`ExportError`] if the folder exists or cannot be written, a task is empty, or nothing moves;
+/// then no dataset remains.
 pub fn export_lerobot(
-    recording: &mut Recording,
-    stretch: &RangeInclusive<Duration>,
+    parts: &mut [DatasetPart],
+    trims_idle: bool,
     folder: &Path,
-    task: &str,
 ) -> Result<Dataset, ExportError> {
-    if task.trim().is_empty() {
+    if parts.iter().any(|part| part.task.trim().is_empty()) {
         return Err(ExportError::NoTask);
     }
     fs::create_dir(folder)?;
-    let result = write(recording, stretch, folder, task);
+    let result = write(parts, trims_idle, folder);
     if result.is_err() {
         // The folder is ours: it did not exist before. The original error is the one to report.
         let _ = fs::remove_dir_all(folder);
@@ -54,21 +65,21 @@ pub fn export_lerobot(
 }
 
 fn write(
-    recording: &mut Recording,
-    stretch: &RangeInclusive<Duration>,
+    parts: &mut [DatasetPart],
+    trims_idle: bool,
     folder: &Path,
-    task: &str,
 ) -> Result<Dataset, ExportError> {
-    let mut writer = Writer::new(folder, task)?;
-    let (mut packets, mut frames) = (Packets::new(), Frames::default());
-    for moment in recording {
-        if moment.at > *stretch.end() {
-            break;
-        }
-        let (statuses, _) = packets.of(&moment);
-        for status in statuses {
+    let mut writer = Writer::new(folder, trims_idle)?;
+    for part in parts {
+        let (mut packets, mut frames) = (Packets::new(), Frames::default());
+        writer.begin(&part.task)?;
+        for moment in part.recording.by_ref() {
             let at = moment.at;
-            if at >= *stretch.start() {
+            if at > *part.period.end() {
+                break;
+            }
+            let (statuses, _) = packets.of(&moment);
+            for status in statuses.into_iter().filter(|_| at >= *part.period.start()) {
                 for frame in frames.push(Sample { at, status }) {
                     writer.push(frame)?;
                 }
@@ -79,86 +90,105 @@ fn write(
 }
 
 /// A writer of frames in episodes.
-struct Writer<'t> {
-    task: &'t str,
+struct Writer {
+    trims_idle: bool,
+    /// The tasks, in the order of their first episode, and the current one.
+    tasks: Vec<String>,
+    task: usize,
     data: ParquetTable<BufWriter<File>>,
     episodes: ParquetTable<BufWriter<File>>,
     dataset: Dataset,
     all: Summaries,
-    /// The last frame, whose action is not known yet.
-    last: Option<Frame>,
-    /// The written frames of this episode, and their summaries.
-    of_episode: u32,
-    episode: Summaries,
+    /// The frames of this episode.
+    episode: Vec<Status>,
 }
 
-impl<'t> Writer<'t> {
-    fn new(folder: &Path, task: &'t str) -> Result<Self, ExportError> {
+impl Writer {
+    fn new(folder: &Path, trims_idle: bool) -> Result<Self, ExportError> {
         let columns: Vec<_> = FEATURES.iter().map(Feature::column).collect();
         Ok(Self {
-            task,
+            trims_idle,
+            tasks: Vec::new(),
+            task: 0,
             data: table(&folder.join(DATA), &columns, &[])?,
             episodes: table(&folder.join(EPISODES), &episode_columns(), &[])?,
             dataset: Dataset::default(),
             all: Summaries::new(),
-            last: None,
-            of_episode: 0,
-            episode: Summaries::new(),
+            episode: Vec::new(),
         })
+    }
+
+    /// Begins a part with a task.
+    fn begin(&mut self, task: &str) -> Result<(), ExportError> {
+        self.end_episode()?;
+        let known = self.tasks.iter().position(|known| known == task);
+        self.task = known.unwrap_or_else(|| {
+            self.tasks.push(task.to_owned());
+            self.tasks.len() - 1
+        });
+        Ok(())
     }
 
     fn push(&mut self, frame: Frame) -> Result<(), ExportError> {
         if frame.number == 0 {
             self.end_episode()?;
-        } else if let Some(last) = self.last {
-            self.write(&last, &frame.status)?;
         }
-        self.last = Some(frame);
+        self.episode.push(frame.status);
         Ok(())
     }
 
-    fn write(&mut self, frame: &Frame, next: &Status) -> Result<(), ExportError> {
-        let values = values(frame, next, self.dataset.episodes, self.dataset.frames);
-        self.all.push(&values);
-        self.episode.push(&values);
-        let cells = FEATURES.iter().zip(&values);
-        self.data.push(
-            cells
-                .map(|(feature, values)| feature.cell(values))
-                .collect(),
-        )?;
-        self.dataset.frames += 1;
-        self.of_episode += 1;
-        Ok(())
-    }
-
-    /// After the last frame the arm stays in place.
     fn end_episode(&mut self) -> Result<(), ExportError> {
-        let Some(last) = self.last.take() else {
-            return Ok(());
+        let all = std::mem::take(&mut self.episode);
+        let kept = if self.trims_idle {
+            without_rest(&all)
+        } else {
+            &all[..]
         };
-        if last.number == 0 {
-            self.dataset.left_out += 1;
-            return Ok(());
+        match kept.len() {
+            0 if all.is_empty() => Ok(()),
+            0 | 1 => {
+                self.dataset.left_out += 1;
+                Ok(())
+            }
+            _ => self.write_episode(kept),
         }
-        self.write(&last, &last.status)?;
+    }
+
+    /// Writes an episode. After the last frame the arm stays in place.
+    fn write_episode(&mut self, frames: &[Status]) -> Result<(), ExportError> {
+        let mut summaries = Summaries::new();
+        let task = u32::try_from(self.task).unwrap_or(u32::MAX);
+        let from = self.dataset.frames;
+        let nexts = frames.iter().skip(1).chain(frames.last());
+        for (number, (status, next)) in (0..).zip(frames.iter().zip(nexts)) {
+            let frame = Frame {
+                number,
+                status: *status,
+            };
+            let counters = [self.dataset.episodes, self.dataset.frames, task];
+            let values = values(&frame, next, counters);
+            self.all.push(&values);
+            summaries.push(&values);
+            let cells = FEATURES.iter().zip(&values);
+            let cells = cells.map(|(feature, values)| feature.cell(values));
+            self.data.push(cells.collect())?;
+            self.dataset.frames += 1;
+        }
         self.data.end_group()?;
-        let (to, len) = (self.dataset.frames, self.of_episode);
+        let to = self.dataset.frames;
         let integer = |n: u32| Cell::Integer(n.into());
         let mut cells = vec![
             integer(self.dataset.episodes),
-            Cell::Texts(vec![self.task.to_owned()]),
-            integer(len),
-            integer(to - len),
+            Cell::Texts(vec![self.tasks[self.task].clone()]),
+            integer(to - from),
+            integer(from),
             integer(to),
         ];
         // The numbers of folder and file of the frames, and of this row.
         cells.extend([0; 4].map(integer));
-        let summaries = std::mem::replace(&mut self.episode, Summaries::new());
         cells.extend(summaries.cells());
         self.episodes.push(cells)?;
         self.dataset.episodes += 1;
-        self.of_episode = 0;
         Ok(())
     }
 
@@ -169,12 +199,44 @@ impl<'t> Writer<'t> {
         }
         self.data.finish()?;
         self.episodes.finish()?;
-        write_tasks(&folder.join("meta/tasks.parquet"), self.task)?;
-        write_json(&folder.join("meta/info.json"), &info(&self.dataset))?;
+        write_tasks(&folder.join("meta/tasks.parquet"), &self.tasks)?;
+        write_json(
+            &folder.join("meta/info.json"),
+            &info(&self.dataset, self.tasks.len()),
+        )?;
         write_json(&folder.join("meta/stats.json"), &self.all.to_json())?;
         fs::write(folder.join("README.md"), README)?;
         Ok(self.dataset)
     }
+}
+
+/// The frames without the rest before the first motion and after the last one, but for half a
+/// second of each; none if nothing moves.
+fn without_rest(frames: &[Status]) -> &[Status] {
+    let moves = |pair: &[Status]| !rests(&pair[0], &pair[1]);
+    let mut pairs = frames.windows(2);
+    let (Some(first), Some(last)) = (pairs.clone().position(moves), pairs.rposition(moves)) else {
+        return &[];
+    };
+    let begin = first.saturating_sub(KEPT_REST);
+    let end = (last + 2 + KEPT_REST).min(frames.len());
+    &frames[begin..end]
+}
+
+/// Whether nothing moves and nothing switches between two statuses.
+fn rests(before: &Status, after: &Status) -> bool {
+    let angles = |status: &Status| {
+        [
+            status.base_deg,
+            status.rear_deg,
+            status.fore_deg,
+            status.servo_deg,
+            status.gripper_deg,
+        ]
+    };
+    let pairs = angles(before).into_iter().zip(angles(after));
+    let mut turns = pairs.map(|(before, after)| (after - before).abs());
+    before.suction == after.suction && turns.all(|turn| turn <= REST_DEG)
 }
 
 /// Creates a table and its folder.
@@ -212,7 +274,7 @@ fn episode_columns() -> Vec<Column> {
 }
 
 /// The tasks, indexed by their text: the note informs pandas which column is the row index.
-fn write_tasks(file: &Path, task: &str) -> Result<(), ExportError> {
+fn write_tasks(file: &Path, tasks: &[String]) -> Result<(), ExportError> {
     let columns = [
         column("task_index", Kind::Integer),
         column("task", Kind::Text),
@@ -227,7 +289,9 @@ fn write_tasks(file: &Path, task: &str) -> Result<(), ExportError> {
         "pandas_version": "2.0.0",
     });
     let mut table = table(file, &columns, &[("pandas", pandas.to_string())])?;
-    table.push(vec![Cell::Integer(0), Cell::Text(Some(task.to_owned()))])?;
+    for (index, task) in (0..).zip(tasks) {
+        table.push(vec![Cell::Integer(index), Cell::Text(Some(task.clone()))])?;
+    }
     table.finish()
 }
 
@@ -236,7 +300,7 @@ fn write_json(file: &Path, value: &Value) -> Result<(), ExportError> {
     Ok(fs::write(file, text + "\n")?)
 }
 
-fn info(dataset: &Dataset) -> Value {
+fn info(dataset: &Dataset, tasks: usize) -> Value {
     let features = FEATURES
         .iter()
         .map(|feature| (feature.name.to_owned(), feature.about()));
@@ -245,7 +309,7 @@ fn info(dataset: &Dataset) -> Value {
         "robot_type": "dobot_arm",
         "total_episodes": dataset.episodes,
         "total_frames": dataset.frames,
-        "total_tasks": 1,
+        "total_tasks": tasks,
         "chunks_size": 1000,
         "data_files_size_in_mb": 100,
         "video_files_size_in_mb": 200,
@@ -256,6 +320,11 @@ fn info(dataset: &Dataset) -> Value {
         "features": Value::Object(features.collect()),
     })
 }
+
+/// The number of frames that are kept before the first motion and after the last one.
+const KEPT_REST: usize = FPS as usize / 2;
+/// A smaller turn between two frames is no motion, in degrees.
+const REST_DEG: f32 = 0.005;
 
 const DATA: &str = "data/chunk-000/file-000.parquet";
 const EPISODES: &str = "meta/episodes/chunk-000/file-000.parquet";

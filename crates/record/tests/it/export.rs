@@ -3,18 +3,19 @@
 use std::fs::File;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
 
 use bytes::Bytes;
 use dobot_record::tables::{
-    Dataset, ExportError, Table, TableForm, Values, Written, export_files, export_lerobot,
-    export_tables, holds_packets, read_tables,
+    Dataset, DatasetPart, ExportError, MarkedEpisode, Table, TableForm, Values, Written,
+    export_files, export_lerobot, export_tables, holds_packets, marked_episodes, read_tables,
 };
-use dobot_record::{About, Limits, Record, Recorder, Recording, recordings};
+use dobot_record::{About, Limits, Record, Recorder, Recording, Topic, recordings};
 use dobot_wire::{Dialect, JointJog, JointJogAxis, MoveTo, Status};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 const ALL: RangeInclusive<Duration> = Duration::ZERO..=Duration::MAX;
 
@@ -197,13 +198,129 @@ fn an_excerpt_contains_the_events_within_it() {
     assert!(!holds_packets(&mut open(), &silence));
 }
 
+fn part(file: &Path, period: RangeInclusive<Duration>, task: &str) -> DatasetPart {
+    let (recording, task) = (Recording::open(file).unwrap(), task.to_owned());
+    DatasetPart {
+        recording,
+        period,
+        task,
+    }
+}
+
+/// The numbers of frames of the episodes of a dataset.
+fn episode_lengths(out: &Path) -> Vec<i64> {
+    let file = File::open(out.join("meta/episodes/chunk-000/file-000.parquet")).unwrap();
+    let reader = SerializedFileReader::new(file).unwrap();
+    let rows = reader.get_row_iter(None).unwrap();
+    rows.map(|row| row.unwrap().get_long(2).unwrap()).collect()
+}
+
+#[test]
+fn several_recordings_make_one_dataset_with_the_episodes_of_each() {
+    let folder = tempfile::tempdir().unwrap();
+    let files = ["a", "b"].map(|name| recorded(&folder.path().join(name), session()));
+    let out = folder.path().join("dataset");
+    let found = export_lerobot(
+        &mut files.map(|file| part(&file, ALL, "Turn.")),
+        false,
+        &out,
+    )
+    .unwrap();
+    let expected = Dataset {
+        episodes: 4,
+        frames: 2 * (63 + 19),
+        left_out: 2,
+    };
+    assert_eq!(found, expected);
+    assert_eq!(episode_lengths(&out), [63, 19, 63, 19]);
+}
+
+#[test]
+fn episodes_are_the_marked_periods() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = recorded(folder.path(), session());
+    let out = folder.path().join("dataset");
+    let period = |from, to| Duration::from_millis(from)..=Duration::from_millis(to);
+    // Statuses come every 80 ms, from 100 ms on.
+    let mut parts = [
+        part(&file, period(100, 500), "Turn."),
+        part(&file, period(580, 900), "Turn on."),
+        part(&file, period(100, 500), "Turn."),
+    ];
+    let found = export_lerobot(&mut parts, false, &out).unwrap();
+    assert_eq!(
+        (found.episodes, episode_lengths(&out)),
+        (3, vec![11, 9, 11])
+    );
+    let tasks = File::open(out.join("meta/tasks.parquet")).unwrap();
+    let reader = SerializedFileReader::new(tasks).unwrap();
+    let rows = reader.get_row_iter(None).unwrap().map(Result::unwrap);
+    let tasks: Vec<_> = rows.map(|row| row.get_string(1).unwrap().clone()).collect();
+    assert_eq!(tasks, ["Turn.", "Turn on."]);
+}
+
+#[test]
+fn marked_episodes_end_at_the_next_mark_and_discarded_ones_are_left_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let schema = json!({ "type": "object" });
+    let topic = Arc::new(Topic::new("/station/notices", "dobot.Notice", &schema).unwrap());
+    let marks = [
+        (1000, "begin", Some("Pick.")),
+        (2000, "end", None),
+        (3000, "begin", None),
+        (4000, "discard", None),
+        (5000, "begin", None),
+        (6000, "begin", None),
+        (7000, "end", None),
+        (8000, "discard", None),
+        (9000, "begin", Some("Place.")),
+    ];
+    let records = marks.map(|(at_ms, mark, task)| {
+        let value = json!({ "type": "episode_marked", "mark": mark, "task": task, "text": "" });
+        let topic = Arc::clone(&topic);
+        (at_ms, Record::Json { topic, value })
+    });
+    let end = [(10_000, turned(0.0, false))];
+    let file = recorded(folder.path(), records.into_iter().chain(end));
+    let episode = |from_s, to_s, task: Option<&str>| MarkedEpisode {
+        period: Duration::from_secs(from_s)..=Duration::from_secs(to_s),
+        task: task.map(str::to_owned),
+    };
+    assert_eq!(
+        marked_episodes(&mut Recording::open(&file).unwrap()),
+        [
+            episode(1, 2, Some("Pick.")),
+            episode(5, 6, None),
+            episode(9, 10, Some("Place.")),
+        ]
+    );
+}
+
+#[test]
+fn an_episode_without_idle_time_begins_and_ends_with_motion() {
+    let folder = tempfile::tempdir().unwrap();
+    // Two seconds of rest, a turn for half a second, a switch of the pump, and two seconds of rest.
+    let angle = |n: u16| f32::from(n.clamp(25, 31) - 25);
+    let session = (0..60).map(|n: u16| (u64::from(n) * 80, turned(angle(n), n >= 35)));
+    let file = recorded(folder.path(), session);
+    let out = folder.path().join("dataset");
+    let found = export_lerobot(&mut [part(&file, ALL, "Turn.")], true, &out).unwrap();
+    // From 0.5 s before 2 s to 0.5 s after 2.8 s, each 40 ms.
+    let expected = (2800 - 2000) / 40 + 1 + 2 * 12;
+    assert_eq!((found.episodes, found.frames), (1, expected));
+    let rest = (0..60).map(|n| (n * 80, turned(3.0, false)));
+    let file = recorded(&folder.path().join("rest"), rest);
+    let out = folder.path().join("nothing");
+    let found = export_lerobot(&mut [part(&file, ALL, "Turn.")], true, &out);
+    assert!(matches!(found, Err(ExportError::NoMotion)), "{found:?}");
+}
+
 #[test]
 fn a_dataset_has_an_episode_for_each_stretch_without_silence() {
     let folder = tempfile::tempdir().unwrap();
     let file = recorded(folder.path(), session());
     let out = folder.path().join("dataset");
-    let dataset =
-        export_lerobot(&mut Recording::open(&file).unwrap(), &ALL, &out, "Turn.").unwrap();
+    let dataset = export_lerobot(&mut [part(&file, ALL, "Turn.")], false, &out).unwrap();
     // 100 to 2580 ms and 5600 to 6320 ms, each 40 ms.
     let expected = Dataset {
         episodes: 2,
@@ -259,8 +376,7 @@ fn nothing_is_left_of_a_dataset_that_cannot_be_made() {
         [(0, turned(1.0, false)), (5000, turned(2.0, false))],
     );
     let out = folder.path().join("dataset");
-    let export =
-        |task: &str| export_lerobot(&mut Recording::open(&file).unwrap(), &ALL, &out, task);
+    let export = |task| export_lerobot(&mut [part(&file, ALL, task)], false, &out);
     assert!(matches!(export("Turn."), Err(ExportError::NoMotion)));
     assert!(matches!(export(" "), Err(ExportError::NoTask)));
     assert!(!out.exists());

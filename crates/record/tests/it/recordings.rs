@@ -76,6 +76,30 @@ static WHOLE: LazyLock<Vec<u8>> = LazyLock::new(|| {
 });
 
 #[test]
+fn log_times_are_in_order_and_the_measured_times_are_kept_when_a_clock_goes_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let times_ms = [100, 300, 200, 250, 400];
+    let event = |at_ms| {
+        let (topic, value) = (events(), json!({ "n": at_ms }));
+        (Duration::from_millis(at_ms), Record::Json { topic, value })
+    };
+    let files = record(folder.path(), times_ms.map(event));
+    let bytes = std::fs::read(&files[0]).unwrap();
+    let messages = mcap::MessageStream::new(&bytes).unwrap();
+    let start_ns = u64::try_from(start().as_nanosecond()).unwrap();
+    let ms = |at_ns: u64| (at_ns - start_ns) / 1_000_000;
+    let times: Vec<_> = messages
+        .map(Result::unwrap)
+        .map(|message| [message.log_time, message.publish_time].map(ms))
+        .collect();
+    let expected = [[100, 100], [300, 300], [300, 200], [300, 250], [400, 400]];
+    assert_eq!(times, expected);
+    let (moments, _) = read(bytes);
+    let found: Vec<_> = moments.iter().map(|moment| moment.at.as_millis()).collect();
+    assert_eq!(found, times_ms.map(u128::from));
+}
+
+#[test]
 fn recorded_data_is_read_back_with_its_time() {
     let (moments, recording) = read(WHOLE.clone());
     assert_eq!(recording.damage(), None);

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use dobot_record::{
     About, Damage, Entry, Health, Limits, Moment, RECORDER, Record, Recorder, Recording, Topic,
-    is_being_written, recordings,
+    copy, is_being_written, recordings, repair,
 };
 use serde_json::{Value, json};
 
@@ -114,6 +114,54 @@ fn a_truncated_file_is_complete_after_the_next_start() {
         let count = mcap::MessageStream::new(&bytes).unwrap().count() as u64;
         assert_eq!(summary.stats.unwrap().message_count, count);
         assert_eq!(folder.path().read_dir().unwrap().count(), 2);
+    }
+}
+
+#[test]
+fn a_damaged_file_is_repaired_on_request_and_a_whole_one_stays_as_it_is() {
+    let whole = session();
+    let folder = folder();
+    let file = file(folder.path());
+    std::fs::write(&file, &whole).unwrap();
+    assert_eq!(repair(&file).unwrap(), None);
+    assert_eq!(std::fs::read(&file).unwrap(), whole);
+    for len in (0..whole.len()).step_by(211) {
+        std::fs::write(&file, &whole[..len]).unwrap();
+        let (before, damage) = read(&file);
+        match repair(&file) {
+            Ok(found) => {
+                assert_eq!(found, damage, "{len} bytes");
+                let (after, still) = read(&file);
+                assert_eq!((after.split_last().unwrap().1, still), (&before[..], None));
+            }
+            Err(error) => {
+                assert!(before.is_empty(), "{len} bytes: {error}");
+                assert_eq!(std::fs::read(&file).unwrap(), &whole[..len]);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_copy_has_all_that_can_be_read_and_the_recording_stays_as_it_is() {
+    let whole = session();
+    let folder = folder();
+    let (file, out) = (file(folder.path()), folder.path().join("copy"));
+    for len in (0..whole.len()).step_by(211).chain([whole.len()]) {
+        std::fs::write(&file, &whole[..len]).unwrap();
+        let (before, damage) = read(&file);
+        let found = copy(&file, &out);
+        assert_eq!(std::fs::read(&file).unwrap(), &whole[..len]);
+        assert_eq!(found.is_ok(), out.exists(), "{len} bytes");
+        let Ok(found) = found else {
+            assert!(before.is_empty(), "{len} bytes");
+            continue;
+        };
+        assert_eq!(found, damage);
+        let (after, still) = read(&out);
+        assert!(after.starts_with(&before) && still.is_none(), "{len} bytes");
+        assert!(copy(&file, &out).is_err(), "it exists");
+        std::fs::remove_file(&out).unwrap();
     }
 }
 

@@ -24,6 +24,7 @@ use crate::http::resources::drawings::Drawings;
 use crate::http::resources::files::{FileView, StoredFiles};
 use crate::http::resources::recordings::Recordings;
 use crate::http::resources::talk::Talk;
+use crate::http::resources::test_arms::TestArms;
 use crate::http::serve::listen::ConnectionSlot;
 use crate::{ArmsPort, FleetPort};
 
@@ -53,6 +54,8 @@ pub(super) struct App {
     pub(super) extras: PathBuf,
     /// What people say to the listener.
     pub(super) talk: Talk,
+    /// The virtual arms for the tests of other programs.
+    pub(super) test_arms: TestArms,
     /// The stored drawings, photos and programs.
     pub(super) files: StoredFiles,
     /// The tools for agents.
@@ -125,6 +128,7 @@ impl App {
             buttons: CustomButtons::at(files.buttons),
             talk: Talk::default(),
             extras: files.extras,
+            test_arms: TestArms::default(),
             files: StoredFiles::new(files.stored),
             agents: HttpAgents::new(reach.own),
             learners: Mutex::default(),

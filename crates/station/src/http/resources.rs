@@ -9,3 +9,4 @@ pub(crate) mod programs;
 pub(crate) mod recordings;
 pub(crate) mod sketch;
 pub(crate) mod talk;
+pub(crate) mod test_arms;

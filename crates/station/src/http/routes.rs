@@ -19,6 +19,7 @@ mod observing;
 mod programs;
 mod recordings;
 mod talk;
+mod test_arms;
 mod tokens;
 mod virtual_arm;
 mod watching;
@@ -84,6 +85,7 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         tokens::all(),
         addresses::all(),
         virtual_arm::all(),
+        test_arms::all(),
         fleet::all(),
         agents::all(),
     ]

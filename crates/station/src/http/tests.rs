@@ -25,6 +25,7 @@ mod schema;
 mod served;
 mod slots;
 mod sockets;
+mod test_arms;
 mod token_routes;
 mod virtual_arms;
 #[cfg(not(feature = "full"))]

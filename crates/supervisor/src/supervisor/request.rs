@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_api::{
-    Button, Calibrations, ClientId, Device, Jog, News, Reply, Request, Role, TimeSlot,
+    Button, Calibrations, ClientId, Device, EpisodeMark, Jog, News, Reply, Request, Role, TimeSlot,
 };
 use dobot_arm::{Degrees, Pose, Position};
 use dobot_safety::Policy;
@@ -280,6 +280,7 @@ impl Supervisor {
                 self.notify(News::Message { client }, text);
                 Ok(Reply::Done)
             }
+            Request::MarkEpisode { mark, task } => self.mark_episode(client, mark, task.as_deref()),
             Request::ArmLaser { for_s } => self.arm_laser(client, for_s),
             Request::DisarmLaser => {
                 self.disarm_laser("a client asked for it");
@@ -310,6 +311,29 @@ impl Supervisor {
                 "this request is not accepted here".into(),
             )),
         }
+    }
+
+    /// Marks an episode in the recording, which contains all notices.
+    fn mark_episode(
+        &mut self,
+        client: ClientId,
+        mark: EpisodeMark,
+        task: Option<&str>,
+    ) -> Result<Reply, Refusal> {
+        let name = self.client_name(client);
+        let task = task.map(|task| plain(task, REASON_LEN));
+        let text = match (mark, &task) {
+            (EpisodeMark::Begin, None) => format!("{name} began an episode"),
+            (EpisodeMark::Begin, Some(task)) => format!("{name} began an episode: {task}"),
+            (EpisodeMark::End, None) => format!("{name} ended the episode"),
+            (EpisodeMark::Discard, None) => format!("{name} discarded the episode"),
+            (_, Some(_)) => {
+                let why = "task: allowed only where an episode begins";
+                return Err(Refusal::Malformed(why.into()));
+            }
+        };
+        self.notify(News::EpisodeMarked { mark, task }, text);
+        Ok(Reply::Done)
     }
 
     fn stop_arm(&mut self, client: ClientId, reason: Option<String>) -> Reply {

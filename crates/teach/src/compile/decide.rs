@@ -45,9 +45,9 @@ impl<'a> Decisions<'a> {
         self.answers.len() - self.used
     }
 
-    /// Returns whether a question was answered.
-    pub(super) const fn has_asked(&self) -> bool {
-        self.used > 0
+    /// Returns the answers that were asked for.
+    pub(super) fn used(&self) -> &[Answer] {
+        &self.answers[..self.used]
     }
 
     /// Returns the answer to a question; `None` if there is none yet.

@@ -1,8 +1,8 @@
 //! Programs that decide: their text, what they compile to, and their mistakes.
 
-use dobot_api::{Answer, PendingQuestion, Question};
+use dobot_api::{Answer, NewJob, PendingQuestion, Question};
 use dobot_arm::Calibration;
-use dobot_teach::{Compiled, NoFiles, Program, continued};
+use dobot_teach::{Compiled, NoFiles, Program, ProgramError, continued};
 use dobot_wire::Command;
 
 const GO: &str = "[[steps]]\ngo = { x = 200, y = 0, z = 0 }\n";
@@ -110,7 +110,8 @@ fn an_answer_only_adds_commands() {
 fn a_job_has_all_that_its_continuation_needs() {
     let program = Program::from_toml(COLOURS).unwrap();
     let compiled = program.compile(&mut NoFiles).unwrap();
-    let mut job = program.job(&compiled, 0, &mut NoFiles).unwrap().unwrap();
+    let start = |step| program.job(&compiled, step, &Calibration::NONE, &mut NoFiles);
+    let mut job = start(0).unwrap().unwrap();
     for colour in ["blue", "red"] {
         let asking = job.program.asking.take().unwrap();
         let wrong = continued(&asking, Answer::Choice("green".into()), &Calibration::NONE);
@@ -128,7 +129,54 @@ fn a_job_has_all_that_its_continuation_needs() {
         job.commands,
         self::compiled(COLOURS, &["blue", "red"]).commands
     );
-    assert!(program.job(&compiled, 1, &mut NoFiles).unwrap().is_none());
+    assert!(start(1).unwrap().is_none());
+}
+
+/// The job that starts at a step of the first path, counted from 0.
+fn started(text: &str, step: usize) -> Result<Option<NewJob>, ProgramError> {
+    let program = Program::from_toml(text).unwrap();
+    let arm = Calibration::NONE;
+    let paths = program.paths(&arm, &mut NoFiles).unwrap();
+    program.job(&paths[0], step, &arm, &mut NoFiles)
+}
+
+#[test]
+fn a_job_that_starts_after_a_question_counts_it_as_answered_and_asks_the_next_one() {
+    // The first path: red, then blue, then the last step.
+    let mut job = started(COLOURS, 1).unwrap().unwrap();
+    let asking = job.program.asking.take().unwrap();
+    assert_eq!(asking.answers, [Answer::Choice("red".into())]);
+    assert_eq!(asking.question.as_ref().unwrap().number, 2);
+    let y = |command: &Command| match command {
+        Command::MoveTo(target) => Some(target.y_mm),
+        _ => None,
+    };
+    let ys = |job: &NewJob| job.commands.iter().filter_map(y).collect::<Vec<_>>();
+    assert_eq!(ys(&job), [10.0]);
+    let longer = continued(&asking, Answer::Choice("red".into()), &Calibration::NONE);
+    assert_eq!(ys(&longer.unwrap()), [10.0, 10.0, 90.0]);
+    let last = started(COLOURS, 2).unwrap().unwrap();
+    assert_eq!((ys(&last), last.program.question()), (vec![90.0], None));
+    assert_eq!(started(COLOURS, 3).unwrap(), None);
+}
+
+#[test]
+fn a_job_cannot_start_at_a_position_that_nobody_has_given() {
+    let text = format!(
+        "{GO}[[steps]]\ngo = {{ from = \"bottle\" }}\n[[steps]]\ngo = {{ from = \"cup\" }}\n{GO}"
+    );
+    for (step, name) in [(1, "bottle"), (2, "cup")] {
+        let error = started(&text, step).unwrap_err().to_string();
+        let (line, number) = (1 + 2 * step, step + 1);
+        assert_eq!(
+            error,
+            format!(
+                "line {line}: step {number} goes to the position {name:?}, which is given while the program runs; start at step 1"
+            )
+        );
+    }
+    let job = started(&text, 3).unwrap().unwrap();
+    assert_eq!(job.commands.len(), 1);
 }
 
 #[test]
@@ -305,7 +353,7 @@ fn common_mistakes_are_shown_with_the_correct_line() {
     for (text, expected) in [
         (
             "[[steps]]\ngo = { x = 200,5, y = -0,25, z = 30 }\npause = 0,5\n",
-            "line 2: the number 200,5 has a decimal comma; write 200.5, with a point | line 3: the number 0,5 has a decimal comma; write 0.5, with a point",
+            "line 2: the number 200,5 has a decimal comma; write 200.5, with a point | line 2: the number -0,25 has a decimal comma; write -0.25, with a point | line 3: the number 0,5 has a decimal comma; write 0.5, with a point",
         ),
         (
             "[[steps]]\nspeed = 50\n[[steps]]\nrepeat = 2\n[[steps.steps]]\ndrawing = \"a.svg\"\n",

@@ -224,6 +224,64 @@ fn all_independent_mistakes_are_reported_at_once() {
 }
 
 #[test]
+fn wrong_types_wrong_names_and_wrong_values_are_reported_together() {
+    for (text, expected) in [
+        (
+            "[points]\na = { x = 200, y = 0, z = \"low\" }\n[[steps]]\ngo = \"a\"\npause = \"long\"\n[[steps]]\ngo = \"b\"\npth = \"movl\"\n[[steps]]\nspeed = 50",
+            &[
+                "line 2: found the text \"low\"; expected a number",
+                "line 5: found the text \"long\"; expected a number",
+                "line 6: there is no point \"b\"; there are a",
+                "line 8: the key `pth` is unknown; did you mean `path`?",
+                "line 10: speed needs a table; write speed = { percent = 50 }",
+            ][..],
+        ),
+        (
+            "[grids.tray]\nat = { x = 200, y = 0, z = 0 }\ncolumn = 2\npitch = 30\n[grids.other]\nat = \"corner\"\ncolumns = 3\npitch = {}\n[[steps]]\neach = [\"tray\", \"other\"]\nsteps = [{ go = \"tray\", pause = 700 }, { go = \"tray2\" }]",
+            &[
+                "line 3: the key `column` is unknown; did you mean `columns`?",
+                "line 4: found the number 30; expected a table",
+                "line 5: there is no point \"corner\"",
+                "line 11: pause is 700 s",
+                "line 11: there is no point \"tray2\"",
+            ],
+        ),
+        (
+            "[point]\nhome = { x = 200, y = 0, z = 0 }\n[[step]]\ngo = \"home\"\n[[step]]\nchoose = \"Go on?\"\n[[step.when]]\nanswer = \"yes\"\n[[step.when.steps]]\npick = \"home2\"\nsettle = \"long\"\n[[step.when]]\nanswr = \"no\"",
+            &[
+                "line 1: the key `point` is unknown; did you mean `points`?",
+                "line 3: the key `step` is unknown; did you mean `steps`?",
+                "line 9: there is no point \"home2\"; did you mean \"home\"?",
+                "line 11: found the text \"long\"; expected a number",
+                "line 13: the key `answr` is unknown; did you mean `answer`?",
+            ],
+        ),
+        (
+            "[[steps]]\ngo = { x = 200,5, y = -0,25, z = 0 }\npause = \"long\"\n[[steps]]\npause = 1,5\nwait = \"a = 3,5\"",
+            &[
+                "line 2: the number 200,5 has a decimal comma; write 200.5, with a point",
+                "line 2: the number -0,25 has a decimal comma; write -0.25, with a point",
+                "line 3: found the text \"long\"; expected a number",
+                "line 4: a step has wait beside pause",
+                "line 5: the number 1,5 has a decimal comma; write 1.5, with a point",
+            ],
+        ),
+        (
+            "[[steps]]\ngo = home\n[[steps]\npause = 1\n[[steps]]\npause = 1 s",
+            &["line 2: a text must be in quotes", "line 3: ", "line 6: "],
+        ),
+    ] {
+        let error = Program::from_toml(text).unwrap_err();
+        let found = error.to_string();
+        let found: Vec<&str> = found.split(" | ").collect();
+        assert_eq!(found.len(), expected.len(), "{found:#?}");
+        for (found, expected) in found.iter().zip(expected) {
+            assert!(found.starts_with(expected), "{found} is not: {expected}");
+        }
+    }
+}
+
+#[test]
 fn no_error_of_a_program_has_terms_of_the_parser() {
     let jargon = [
         "field", "invalid", "f64", "u32", "struct", "literal", "variant",

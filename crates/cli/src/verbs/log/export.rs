@@ -10,10 +10,10 @@ use anyhow::anyhow;
 use clap::ValueEnum;
 #[cfg(not(feature = "full"))]
 use dobot_api::NotBuilt;
-use dobot_record::Recording;
 #[cfg(feature = "full")]
-use dobot_record::tables::export_lerobot;
+use dobot_record::tables::{DatasetPart, MarkedEpisode, export_lerobot, marked_episodes};
 use dobot_record::tables::{ExportError, TableForm, export_files, holds_packets};
+use dobot_record::{Damage, Recording, copy, is_being_written};
 
 use super::open;
 use crate::failure::Failure;
@@ -23,8 +23,8 @@ use crate::output;
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Export")]
 pub(super) struct Export {
-    /// Export tables instead: csv or parquet (statuses and commands), or lerobot (a dataset)
-    #[arg(long = "export", value_name = "FORM", value_enum, requires = "file", conflicts_with_all = ["json", "topics", "dialect"])]
+    /// Export instead: csv or parquet (tables of statuses and commands), lerobot (a dataset), or mcap (a complete copy)
+    #[arg(long = "export", value_name = "FORM", value_enum, requires = "files", conflicts_with_all = ["json", "topics", "dialect"])]
     form: Option<Form>,
     /// Output file, or the folder of a dataset (default: named after the recording, in the current folder)
     #[arg(short, long, value_name = "OUT", requires = "form")]
@@ -32,6 +32,12 @@ pub(super) struct Export {
     /// Task description of a dataset
     #[arg(long, value_name = "TEXT", requires = "form", hide_short_help = true)]
     task: Option<String>,
+    /// Episode of a dataset, in seconds, as in 12..15.5; may be repeated (default: everything, parted by silences)
+    #[arg(long = "episode", value_name = "FROM..TO", requires = "form", value_parser = period, conflicts_with_all = ["since", "until"], hide_short_help = true)]
+    episodes: Vec<RangeInclusive<Duration>>,
+    /// Leave out the rest before the first motion and after the last one of each episode
+    #[arg(long, requires = "form", hide_short_help = true)]
+    trim_idle: bool,
     /// Overwrite existing files
     #[arg(long, requires = "form")]
     force: bool,
@@ -42,6 +48,7 @@ enum Form {
     Csv,
     Parquet,
     Lerobot,
+    Mcap,
 }
 
 impl Export {
@@ -49,24 +56,18 @@ impl Export {
         self.form.is_some()
     }
 
-    /// Exports a range of a recording, and prints what was written.
-    pub(super) fn run(&self, file: &Path, range: &RangeInclusive<Duration>) -> Result<(), Failure> {
-        let Some(form) = self.form else {
+    /// Exports a range of recordings, and prints what was written.
+    pub(super) fn run(
+        &self,
+        files: &[PathBuf],
+        range: RangeInclusive<Duration>,
+    ) -> Result<(), Failure> {
+        let Some((form, file)) = self.form.zip(files.first()) else {
             return Ok(());
         };
-        self.check(form)?;
-        // Without packets there is nothing to write.
-        if !holds_packets(&mut open(file)?, range) {
-            return Err(Failure::new(
-                anyhow!(
-                    "{} contains no packet in that range; there is nothing to export",
-                    file.display()
-                ),
-                format!("run `dobot log {}` to see its contents", file.display()),
-            ));
-        }
+        self.check(form, files.len(), &range)?;
         let out = self.out.clone().unwrap_or_else(|| form.file(file));
-        if is_same(file, &out) {
+        if files.iter().any(|file| is_same(file, &out)) {
             return Err(Failure::new(
                 anyhow!(
                     "{} is the recording itself, which is never overwritten",
@@ -75,31 +76,42 @@ impl Export {
                 "name another file with `-o`",
             ));
         }
-        let mut recording = open(file)?;
         let summary = match form {
-            Form::Csv => self.tables(TableForm::Csv, &mut recording, range, &out),
+            Form::Csv => self.tables(TableForm::Csv, file, &range, &out),
             #[cfg(feature = "full")]
-            Form::Parquet => self.tables(TableForm::Parquet, &mut recording, range, &out),
+            Form::Parquet => self.tables(TableForm::Parquet, file, &range, &out),
             #[cfg(feature = "full")]
-            Form::Lerobot => self.dataset(&mut recording, range, &out),
+            Form::Lerobot => self.dataset(files, &range, &out),
             #[cfg(not(feature = "full"))]
             Form::Parquet | Form::Lerobot => Err(NotBuilt("Parquet and LeRobot").into()),
+            Form::Mcap => copied(file, &out),
         }?;
-        if let Some(damage) = recording.damage() {
-            eprintln!(
-                "warning: {}: {damage}; the readable part is exported",
-                file.display()
-            );
-        }
         Ok(output::line(&summary)?)
     }
 
-    fn check(&self, form: Form) -> Result<(), Failure> {
+    fn check(
+        &self,
+        form: Form,
+        files: usize,
+        range: &RangeInclusive<Duration>,
+    ) -> Result<(), Failure> {
+        let only = "only a dataset (`--export lerobot`) has it";
         let (option, why) = match form {
             Form::Lerobot if self.force => ("--force", "an existing folder is never overwritten"),
-            Form::Csv | Form::Parquet if self.task.is_some() => {
-                ("--task", "only a dataset has a task")
+            Form::Lerobot if files > 1 && !self.episodes.is_empty() => {
+                ("--episode", "it names periods of one recording")
             }
+            Form::Lerobot => return Ok(()),
+            _ if files > 1 => {
+                let error = anyhow!("found {files} recordings; one is exported at a time");
+                let hint = "several make one dataset: `--export lerobot`";
+                return Err(Failure::usage(error).with_hint(hint));
+            }
+            _ if self.task.is_some() => ("--task", only),
+            _ if !self.episodes.is_empty() => ("--episode", only),
+            _ if self.trim_idle => ("--trim-idle", only),
+            Form::Mcap if !is_whole(range) => ("--since or --until", "a copy is complete"),
+            Form::Mcap if self.force => ("--force", "an existing recording is never overwritten"),
             _ => return Ok(()),
         };
         Err(Failure::usage(anyhow!("{option} does not apply: {why}"))
@@ -109,12 +121,15 @@ impl Export {
     fn tables(
         &self,
         form: TableForm,
-        recording: &mut Recording,
+        file: &Path,
         range: &RangeInclusive<Duration>,
         out: &Path,
     ) -> Result<String, Failure> {
-        let (written, beside) = export_files(recording, range, form, out, self.force)
+        check_packets(file, range)?;
+        let mut recording = open(file)?;
+        let (written, beside) = export_files(&mut recording, range, form, out, self.force)
             .map_err(|error| tables_failure(out, error))?;
+        warn_of_damage(file, &recording);
         Ok(format!(
             "{}: {}\n{}: {}",
             out.display(),
@@ -127,20 +142,117 @@ impl Export {
     #[cfg(feature = "full")]
     fn dataset(
         &self,
-        recording: &mut Recording,
+        files: &[PathBuf],
         range: &RangeInclusive<Duration>,
         out: &Path,
     ) -> Result<String, Failure> {
-        let task = self.task.as_deref().unwrap_or(TASK);
-        let dataset = export_lerobot(recording, range, out, task)
+        let mut parts = Vec::new();
+        for file in files {
+            for MarkedEpisode { period, task } in self.episodes_of(file, range)? {
+                check_packets(file, &period)?;
+                let task = task.or_else(|| self.task.clone());
+                parts.push(DatasetPart {
+                    recording: open(file)?,
+                    period,
+                    task: task.unwrap_or_else(|| TASK.to_owned()),
+                });
+            }
+        }
+        let dataset = export_lerobot(&mut parts, self.trim_idle, out)
             .map_err(|error| dataset_failure(out, error))?;
         Ok(format!(
-            "{}: episodes {}, frames {}, episodes omitted because they have a single frame {}",
+            "{}: episodes {}, frames {}, episodes omitted because they have a single frame or no motion {}",
             out.display(),
             dataset.episodes,
             dataset.frames,
             dataset.left_out
         ))
+    }
+
+    /// The episodes of a recording: those asked for, else those that were marked, else all of the range.
+    #[cfg(feature = "full")]
+    fn episodes_of(
+        &self,
+        file: &Path,
+        range: &RangeInclusive<Duration>,
+    ) -> Result<Vec<MarkedEpisode>, Failure> {
+        let mut recording = open(file)?;
+        let marked = marked_episodes(&mut recording);
+        warn_of_damage(file, &recording);
+        if self.episodes.is_empty() && is_whole(range) && !marked.is_empty() {
+            return Ok(marked);
+        }
+        let periods = match &self.episodes[..] {
+            [] => std::slice::from_ref(range),
+            periods => periods,
+        };
+        let episode = |period: &RangeInclusive<Duration>| MarkedEpisode {
+            period: period.clone(),
+            task: None,
+        };
+        Ok(periods.iter().map(episode).collect())
+    }
+}
+
+fn is_whole(range: &RangeInclusive<Duration>) -> bool {
+    *range == (Duration::ZERO..=Duration::MAX)
+}
+
+/// Copies a recording to a complete one.
+fn copied(file: &Path, out: &Path) -> Result<String, Failure> {
+    let is_being_written = is_being_written(file);
+    let damage = copy(file, out).map_err(|error| {
+        let error = anyhow::Error::from(error).context(out.display().to_string());
+        if out.exists() {
+            let hint = "name another file with `-o`; an existing one is never overwritten";
+            return Failure::new(error, hint);
+        }
+        error.into()
+    })?;
+    if let Some(damage) = damage
+        && !(damage.breaks_off && is_being_written)
+    {
+        warn(file, &damage);
+    }
+    Ok(format!("{}: a complete copy", out.display()))
+}
+
+fn warn_of_damage(file: &Path, recording: &Recording) {
+    if let Some(damage) = recording.damage() {
+        warn(file, damage);
+    }
+}
+
+fn warn(file: &Path, damage: &Damage) {
+    let file = file.display();
+    eprintln!("warning: {file}: {damage}; the readable part is exported");
+}
+
+/// Checks that there is something to write.
+fn check_packets(file: &Path, range: &RangeInclusive<Duration>) -> Result<(), Failure> {
+    if holds_packets(&mut open(file)?, range) {
+        return Ok(());
+    }
+    let file = file.display();
+    Err(Failure::new(
+        anyhow!("{file} contains no packet in that range; there is nothing to export"),
+        format!("run `dobot log {file}` to see its contents"),
+    ))
+}
+
+/// Parses a period in seconds: `12..15.5`.
+fn period(text: &str) -> Result<RangeInclusive<Duration>, String> {
+    let seconds = |text: &str| {
+        text.parse()
+            .ok()
+            .and_then(|s| Duration::try_from_secs_f64(s).ok())
+    };
+    let ends = text
+        .split_once("..")
+        .map(|(from, to)| (seconds(from), seconds(to)));
+    match ends {
+        Some((Some(from), Some(to))) if from < to => Ok(from..=to),
+        _ => Err("expected two times in seconds, the earlier one first, as in 12..15.5".to_owned()),
     }
 }
 
@@ -183,6 +295,7 @@ impl Form {
             Self::Csv => TableForm::Csv.ending(),
             Self::Parquet => "parquet",
             Self::Lerobot => "lerobot",
+            Self::Mcap => "copy.mcap",
         }
     }
 

@@ -6,7 +6,7 @@ use dobot_api::{
     Answer, ClientId, GivenPlace, JobPhase, JobState, PendingQuestion, Question, Request,
 };
 use dobot_controller::Personality;
-use dobot_host::{PlannedFor, VirtualStation, dry_run_program};
+use dobot_host::{PlannedFor, VirtualStation, dry_run_program, program_job};
 use dobot_supervisor::Refusal;
 use dobot_teach::{NoFiles, Program};
 use proptest::prelude::*;
@@ -42,13 +42,17 @@ answer = "yes"
 go = { x = 240, y = 0, z = 40 }
 "#;
 
-fn submitted(station: &mut VirtualStation, text: &str) -> u64 {
+/// Submits the program from a step on, counted from 1.
+fn submitted_from(station: &mut VirtualStation, text: &str, step: usize) -> u64 {
     let program = Program::from_toml(text).unwrap();
-    let compiled = program.compile(&mut NoFiles).unwrap();
-    let job = program.job(&compiled, 0, &mut NoFiles).unwrap();
-    let mut job = job.expect("there is a first step");
+    let arm = PlannedFor::of(station.rules().into(), &station.supervisor().state());
+    let mut job = program_job(&program, None, step, &arm, &mut NoFiles).unwrap();
     job.title = "a program".into();
     station.submit(&job).unwrap()
+}
+
+fn submitted(station: &mut VirtualStation, text: &str) -> u64 {
+    submitted_from(station, text, 1)
 }
 
 fn started(station: &mut VirtualStation, anna: ClientId, text: &str) -> u64 {
@@ -147,6 +151,24 @@ fn the_arm_waits_at_rest_and_continues_with_the_steps_of_the_answer() {
             assert_eq!(run_until_over(&mut station, job), JobState::Done);
             assert_xy(&station, [240.0, 0.0]);
         }
+    }
+}
+
+#[test]
+fn a_program_starts_after_its_first_question_and_asks_the_next_one_also_after_a_crash() {
+    for personality in BOTH {
+        let (mut station, anna) = station(personality, &[], 0);
+        let job = submitted_from(&mut station, SIDES, 2);
+        station.start(anna, job).unwrap();
+        let asked = run_until_asked(&mut station).to_string();
+        assert_eq!(asked, "Again? (no, yes)");
+        assert_xy(&station, [200.0, 80.0]);
+        station.crash(Duration::from_secs(1)).unwrap();
+        attend(&mut station, job);
+        run_until_asked(&mut station);
+        answer(&mut station, job, choice("yes")).unwrap();
+        assert_eq!(run_until_over(&mut station, job), JobState::Done);
+        assert_xy(&station, [240.0, 0.0]);
     }
 }
 

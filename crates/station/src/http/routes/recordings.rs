@@ -5,18 +5,34 @@ use std::sync::Arc;
 use axum::Json;
 use axum::extract::{Path, Query as Queries, State};
 use axum::response::Response;
-use dobot_api::problem_kinds::{ENDING, MALFORMED, NO_SUCH_RECORDING, OUT_OF_RANGE, RECORDING};
-use schemars::SchemaGenerator;
+use dobot_api::problem_kinds::{
+    ENDING, MALFORMED, NO_SUCH_RECORDING, NOT_RECORDED, OUT_OF_RANGE, RECORDING,
+};
+use dobot_api::{EpisodeMark, Reply, Request};
+use schemars::{JsonSchema, SchemaGenerator};
+use serde::Deserialize;
 
-use super::GET;
+use super::{GET, POST};
 use crate::http::app::App;
 use crate::http::exchange::paging::{PAGES, Page};
-use crate::http::exchange::responses::RequestFailed;
+use crate::http::exchange::responses::{Body, RequestFailed};
 use crate::http::resources::recordings::{RecordedStates, RecordingView, Stretch};
 use crate::http::route::{Query, Route};
 
 pub(super) fn all() -> Vec<Route> {
     vec![
+        Route::asks(
+            POST,
+            "/api/v1/episodes",
+            "Marks the recording: an episode of a dataset begins or ends here, or is discarded",
+            |Body(new): Body<NewMark>| Request::MarkEpisode {
+                mark: new.mark,
+                task: new.task,
+            },
+        )
+        .example(r#"{"mark": "begin", "task": "Pick up the cube."}"#)
+        .gives::<Reply>(200, "the mark is recorded")
+        .problems(&[NOT_RECORDED]),
         Route::new(
             GET,
             "/api/v1/recordings",
@@ -50,6 +66,17 @@ pub(super) fn all() -> Vec<Route> {
             ENDING,
         ]),
     ]
+}
+
+/// A mark in the recording.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct NewMark {
+    /// The mark.
+    mark: EpisodeMark,
+    /// What the arm does; only with `begin`. Cut to 200 characters.
+    #[serde(default)]
+    task: Option<String>,
 }
 
 const STRETCH: &[Query] = &[

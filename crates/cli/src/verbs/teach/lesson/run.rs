@@ -2,7 +2,9 @@
 
 use dobot_api::NewJob;
 use dobot_host::PlannedFor;
-use dobot_teach::{Action, Compiled, CompiledStep, Files, Problem, Program, Steps, Times, check};
+use dobot_teach::{
+    Action, Compiled, CompiledStep, Files, Problem, Program, ProgramError, Steps, Times, check,
+};
 
 use super::Lesson;
 use crate::verbs::teach::outline::{RowKind, is_endless, outline};
@@ -34,23 +36,28 @@ impl Lesson {
         if self.document.is_none() {
             return Err("the program has no step yet".to_owned());
         }
-        let program = self.program();
-        let compiled = match part {
-            Part::Loop => compile(&looped(program.clone()), arm, files)?,
-            Part::All => compile(&program, arm, files)?,
+        let mut program = self.program();
+        if part == Part::Loop {
+            program = looped(program);
+        }
+        let plain = |error: ProgramError| error.to_string();
+        let mut paths = program.paths(&arm.arm(), files).map_err(plain)?;
+        let (path, step) = match part {
+            Part::All | Part::Loop => (0, 0),
             Part::FromHere => {
                 let line = self.line_of_cursor(&program);
-                let compiled = compile(&program, arm, files)?;
-                let here = |step: &CompiledStep| step.file.is_none() && Some(step.line) >= line;
-                let step = compiled.steps.iter().position(here);
-                let rest = step
-                    .filter(|_| line.is_some())
-                    .and_then(|index| compiled.from_step(index));
-                rest.ok_or("the program does nothing from this step on")?
+                let start = line.and_then(|line| first_step_at(&paths, line));
+                start.ok_or("the program does nothing from this step on")?
             }
         };
-        let report = check(&compiled, &arm.rules.policy, arm.model());
-        if let Some(first) = report.problems.first() {
+        let job = program.job(&paths[path], step, &arm.arm(), files);
+        let job = job.map_err(plain)?;
+        let mut job = job.ok_or("the program does nothing")?;
+        paths[path] = paths[path].from_step(step).unwrap_or_default();
+        let mut problems = paths
+            .iter()
+            .flat_map(|path| check(path, &arm.rules.policy, arm.model()).problems);
+        if let Some(first) = problems.next() {
             let rows = outline(&program);
             if first.file.is_none()
                 && let Some(at) = rows.iter().rposition(|row| {
@@ -60,9 +67,8 @@ impl Lesson {
             {
                 self.cursor = at;
             }
-            return Err(problem_text(first, report.problems.len() - 1));
+            return Err(problem_text(&first, problems.count()));
         }
-        let mut job = compiled.job();
         if job.title.is_empty() {
             job.title.push_str("a taught program");
         }
@@ -103,7 +109,13 @@ fn problem_text(first: &Problem, more: usize) -> String {
     }
 }
 
-fn compile(program: &Program, arm: &PlannedFor, files: &mut dyn Files) -> Result<Compiled, String> {
-    let compiled = program.compile_for(&arm.arm(), files);
-    compiled.map_err(|error| error.to_string())
+/// Returns the path and the step, both counted from 0, that come first to a line of the program or
+/// to one after it.
+fn first_step_at(paths: &[Compiled], line: usize) -> Option<(usize, usize)> {
+    let starts = paths.iter().enumerate().filter_map(|(path, compiled)| {
+        let is_here = |step: &CompiledStep| step.file.is_none() && step.line >= line;
+        let step = compiled.steps.iter().position(is_here)?;
+        Some((compiled.steps[step].line, path, step))
+    });
+    starts.min().map(|(_, path, step)| (path, step))
 }

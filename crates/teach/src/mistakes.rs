@@ -1,0 +1,425 @@
+//! The mistakes of a text that cannot be read as a program, all at once: each point, grid and step
+//! is read on its own, and the names are checked in those that can be read.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use dobot_arm::Tool;
+use serde::Deserialize;
+use toml::Spanned;
+use toml::de::{DeString, DeTable, DeValue, ValueDeserializer};
+
+use crate::lines::Lines;
+use crate::place::Point;
+use crate::plain::plain;
+use crate::program::{Frame, Grid, MountedTool, Offset};
+use crate::read::{NO_STEPS, line_of};
+use crate::similar::nearest;
+use crate::step_table::StepTable;
+use crate::{Action, Place, Program, ProgramError, Steps};
+
+/// Returns the mistakes of a text, or `first`, the one that its reader has found.
+pub(crate) fn mistakes_of(text: &str, lines: &Lines, first: &toml::de::Error) -> ProgramError {
+    if text.len() > MAX_TEXT_BYTES {
+        return one(lines, first);
+    }
+    let (text, commas) = with_decimal_points(text, lines);
+    let (document, errors) = DeTable::parse_recoverable(&text);
+    let mut reader = Reader {
+        lines,
+        mistakes: commas,
+        inner: Vec::new(),
+        has_all_names: true,
+    };
+    if errors.is_empty() {
+        reader.document(&text, document.into_inner());
+    }
+    let mut known = BTreeSet::new();
+    for error in &errors {
+        let start = error.span().map_or(0, |span| span.start);
+        // The rest of a line may be wrong only because of its first mistake.
+        if known.insert(lines.at(start)) {
+            reader.report(error, start);
+        }
+    }
+    ProgramError::merge(reader.mistakes).unwrap_or_else(|| one(lines, first))
+}
+
+fn one(lines: &Lines, error: &toml::de::Error) -> ProgramError {
+    let line = error.span().map(|span| lines.at(span.start));
+    ProgramError::at(line, plain(error.message()))
+}
+
+/// Reads the parts of a text, and collects their mistakes.
+struct Reader<'a> {
+    lines: &'a Lines,
+    mistakes: Vec<ProgramError>,
+    /// The steps within others.
+    inner: Vec<Spanned<Action>>,
+    /// Whether all named points, grids, frames, tools and variables are known.
+    has_all_names: bool,
+}
+
+impl Reader<'_> {
+    /// Reports an error; it is at `start` if it has no position of its own.
+    fn report(&mut self, error: &toml::de::Error, start: usize) {
+        let start = error.span().map_or(start, |span| span.start);
+        self.report_text(start, plain(error.message()));
+    }
+
+    fn report_text(&mut self, start: usize, reason: String) {
+        let line = self.lines.at(start);
+        self.mistakes.push(ProgramError::at(line, reason));
+    }
+
+    /// Reads a value; `None` if it has a mistake.
+    fn value<'de, T: Deserialize<'de>>(&mut self, value: Spanned<DeValue<'de>>) -> Option<T> {
+        let start = value.span().start;
+        let read = T::deserialize(ValueDeserializer::from(value));
+        read.map_err(|error| self.report(&error, start)).ok()
+    }
+
+    /// Reads a table, without the keys whose mistakes are reported already; `None` if it has any.
+    fn table<'de, T: Deserialize<'de>>(&mut self, value: Spanned<DeValue<'de>>) -> Option<T> {
+        let span = value.span();
+        let mut value = value.into_inner();
+        let known = self.mistakes.len();
+        let mut removed: Vec<String> = Vec::new();
+        loop {
+            let whole = Spanned::new(span.clone(), value.clone());
+            let error = match T::deserialize(ValueDeserializer::from(whole)) {
+                Ok(read) => return Some(read).filter(|_| self.mistakes.len() == known),
+                Err(error) => error,
+            };
+            let key = match &value {
+                DeValue::Table(table) => key_at(table, error.span()),
+                _ => None,
+            };
+            // What a missing key has caused is no mistake of its own.
+            if removed.is_empty() || key.is_some() {
+                self.report(&error, span.start);
+            }
+            let (Some(key), DeValue::Table(table)) = (key, &mut value) else {
+                return None;
+            };
+            table.remove(key.as_str());
+            removed.push(key);
+        }
+    }
+
+    /// Reads a document part by part, and checks the names in what could be read.
+    fn document(&mut self, text: &str, document: DeTable<'_>) {
+        let mut program = Program {
+            lines: self.lines.clone(),
+            ..Program::default()
+        };
+        let mut grids = BTreeMap::new();
+        let mut has_steps = false;
+        for (key, value) in document {
+            match self.program_key(&key) {
+                Some("title") => drop(self.value::<String>(value)),
+                Some("start_speed_percent") => program.start_speed_percent = self.value(value),
+                Some("tools") => program.tools = known(self.named(value), &A_TOOL),
+                Some("points") => program.points = known(self.named(value), &A_POINT),
+                Some("frames") => {
+                    let [origin, x, y] = [(); 3].map(|()| Place::At(A_POINT));
+                    program.frames = known(self.named(value), &Frame { origin, x, y });
+                }
+                Some("grids") => grids = self.named(value),
+                Some("variables") => program.variables = known(self.named(value), &0),
+                Some(_) => {
+                    has_steps = true;
+                    program.steps = self.program_steps(value);
+                }
+                None => self.has_all_names = false,
+            }
+        }
+        let found = self.mistakes.len();
+        program.grids = grids
+            .iter()
+            .filter_map(|(name, grid)| Some((name.clone(), grid.clone()?)))
+            .collect();
+        program.check_values(&mut |key, reason| {
+            self.mistakes
+                .push(ProgramError::at(line_of(text, key), reason));
+        });
+        program.grids = known(grids, &A_GRID);
+        program.check_nested(&program.steps, &[], 0, &mut self.mistakes);
+        // The steps around these may have mistakes: any of them may stand in a step with `each`.
+        let cells: Vec<&str> = program.grids.keys().map(String::as_str).collect();
+        let inner = Steps(std::mem::take(&mut self.inner));
+        program.check_nested(&inner, &cells, 0, &mut self.mistakes);
+        if !self.has_all_names {
+            self.mistakes.truncate(found);
+        }
+        if !has_steps {
+            self.report_text(text.len(), NO_STEPS.to_owned());
+        }
+    }
+
+    /// Returns the key of a program that is meant; `None` if no key is similar.
+    fn program_key(&mut self, key: &Spanned<DeString<'_>>) -> Option<&'static str> {
+        let found: &str = key.get_ref();
+        if let Some(key) = KEYS.into_iter().find(|key| *key == found) {
+            return Some(key);
+        }
+        let allowed = KEYS.map(|key| format!("`{key}`")).join(", ");
+        let message = format!("unknown field `{found}`, expected one of {allowed}");
+        self.report_text(key.span().start, plain(&message));
+        nearest(found, KEYS.into_iter())
+    }
+
+    /// Reads a table of names; the value of a name is `None` if it has a mistake.
+    fn named<'de, T: Deserialize<'de>>(
+        &mut self,
+        table: Spanned<DeValue<'de>>,
+    ) -> BTreeMap<String, Option<T>> {
+        let span = table.span();
+        match table.into_inner() {
+            DeValue::Table(table) => {
+                let read = |(name, value): (Spanned<DeString<'_>>, _)| {
+                    (name.get_ref().to_string(), self.table(value))
+                };
+                table.into_iter().map(read).collect()
+            }
+            other => {
+                self.has_all_names = false;
+                self.value::<BTreeMap<String, T>>(Spanned::new(span, other));
+                BTreeMap::new()
+            }
+        }
+    }
+
+    fn program_steps(&mut self, steps: Spanned<DeValue<'_>>) -> Steps {
+        let span = steps.span();
+        match steps.into_inner() {
+            DeValue::Array(steps) => {
+                let read = |step| self.step(step).1;
+                Steps(steps.into_iter().filter_map(read).collect())
+            }
+            other => self.value(Spanned::new(span, other)).unwrap_or_default(),
+        }
+    }
+
+    /// Reads a step key by key. Returns what has no mistake, and its action.
+    fn step<'de>(
+        &mut self,
+        step: Spanned<DeValue<'de>>,
+    ) -> (Spanned<DeValue<'de>>, Option<Spanned<Action>>) {
+        let span = step.span();
+        let step = match step.into_inner() {
+            DeValue::Table(step) => step,
+            other => {
+                let other = Spanned::new(span.clone(), other);
+                let action = self
+                    .value(other)
+                    .map(|action| Spanned::new(span.clone(), action));
+                return (a_step(span), action);
+            }
+        };
+        let keys = step.len();
+        let sound = step
+            .into_iter()
+            .filter_map(|(key, value)| {
+                let value = self.step_key(&key, value)?;
+                Some((key, value))
+            })
+            .collect::<DeTable<'_>>();
+        let is_whole = sound.len() == keys;
+        let sound = Spanned::new(span.clone(), DeValue::Table(sound));
+        let action = Action::deserialize(ValueDeserializer::from(sound.clone()));
+        match action {
+            Ok(action) => (sound, Some(Spanned::new(span, action))),
+            Err(error) => {
+                if is_whole {
+                    self.report(&error, span.start);
+                }
+                (a_step(span), None)
+            }
+        }
+    }
+
+    /// Reads the value of a key of a step; `None` if it has a mistake.
+    fn step_key<'de>(
+        &mut self,
+        key: &Spanned<DeString<'de>>,
+        value: Spanned<DeValue<'de>>,
+    ) -> Option<Spanned<DeValue<'de>>> {
+        let start = key.span().start;
+        if let Some(written) = table_for(key.get_ref(), value.get_ref()) {
+            self.report_text(
+                start,
+                format!("{} needs a table; write {written}", key.get_ref()),
+            );
+            return None;
+        }
+        let value = self.with_sound_steps(key.get_ref(), value);
+        let only = DeTable::from_iter([(key.clone(), value.clone())]);
+        let only = Spanned::new(key.span(), DeValue::Table(only));
+        match StepTable::deserialize(ValueDeserializer::from(only)) {
+            Ok(_) => Some(value),
+            Err(error) => {
+                self.report(&error, start);
+                None
+            }
+        }
+    }
+
+    /// Replaces the steps that have mistakes within the value of a key, and reports them.
+    fn with_sound_steps<'de>(
+        &mut self,
+        key: &str,
+        value: Spanned<DeValue<'de>>,
+    ) -> Spanned<DeValue<'de>> {
+        let span = value.span();
+        let sound = match value.into_inner() {
+            DeValue::Array(steps) if key == "steps" => {
+                let sound = |step| {
+                    let (sound, action) = self.step(step);
+                    self.inner.extend(action);
+                    sound
+                };
+                DeValue::Array(steps.into_iter().map(sound).collect())
+            }
+            DeValue::Array(values) => {
+                let sound = |value| self.with_sound_steps("", value);
+                DeValue::Array(values.into_iter().map(sound).collect())
+            }
+            DeValue::Table(table) => {
+                let sound = |(key, value): (Spanned<DeString<'de>>, _)| {
+                    let value = self.with_sound_steps(key.get_ref(), value);
+                    (key, value)
+                };
+                DeValue::Table(table.into_iter().map(sound).collect())
+            }
+            other => other,
+        };
+        Spanned::new(span, sound)
+    }
+}
+
+/// The key of a table at a place of the text, or whose value is there.
+fn key_at(table: &DeTable<'_>, place: Option<std::ops::Range<usize>>) -> Option<String> {
+    let start = place?.start;
+    let at = |(key, value): &(&Spanned<DeString<'_>>, &Spanned<DeValue<'_>>)| {
+        key.span().contains(&start) || value.span().contains(&start)
+    };
+    let (key, _) = table.iter().find(at)?;
+    Some(key.get_ref().to_string())
+}
+
+/// A step that stands for one with mistakes.
+fn a_step<'de>(span: std::ops::Range<usize>) -> Spanned<DeValue<'de>> {
+    let at = |value| Spanned::new(span.clone(), value);
+    let key = Spanned::new(span.clone(), DeString::from("laser"));
+    let table = DeTable::from_iter([(key, at(DeValue::Boolean(false)))]);
+    at(DeValue::Table(table))
+}
+
+/// The value of a key of a step with the table that it lacks: `speed = 50`.
+fn table_for(key: &str, value: &DeValue<'_>) -> Option<String> {
+    let number = || match value {
+        DeValue::Integer(number) => Some(number.as_str()),
+        DeValue::Float(number) => Some(number.as_str()),
+        _ => None,
+    };
+    match (key, value) {
+        ("speed", _) => Some(format!("speed = {{ percent = {} }}", number()?)),
+        ("offset", _) => Some(format!("offset = {{ z = {} }}", number()?)),
+        ("drawing", DeValue::String(file)) => Some(format!(
+            "drawing = {{ file = {file:?}, pen_down = HEIGHT }}, with the height of the wrist in mm"
+        )),
+        _ => None,
+    }
+}
+
+/// The values by name; `stand_in` stands for those with a mistake, whose names are known all the
+/// same.
+fn known<T: Clone>(read: BTreeMap<String, Option<T>>, stand_in: &T) -> BTreeMap<String, T> {
+    let known = |(name, value): (_, Option<T>)| (name, value.unwrap_or_else(|| stand_in.clone()));
+    read.into_iter().map(known).collect()
+}
+
+/// The text with decimal points in place of the decimal commas that make it invalid, such as
+/// `x = 200,5`, and a mistake for each of them.
+fn with_decimal_points(text: &str, lines: &Lines) -> (String, Vec<ProgramError>) {
+    let mut text = text.to_owned();
+    let mut mistakes = Vec::new();
+    for _ in 0..MAX_CORRECTIONS {
+        let (_, errors) = DeTable::parse_recoverable(&text);
+        let starts = errors.iter().filter_map(|error| Some(error.span()?.start));
+        let numbers: Vec<usize> = starts.map(|start| lines.at(start)).collect();
+        let mut commas = BTreeSet::new();
+        for number in numbers {
+            for (at, found) in decimal_commas(&text, lines.range(number, &text)) {
+                if commas.insert(at) {
+                    let point = found.replace(',', ".");
+                    let reason = format!(
+                        "the number {found} has a decimal comma; write {point}, with a point"
+                    );
+                    mistakes.push(ProgramError::at(number, reason));
+                }
+            }
+        }
+        if commas.is_empty() {
+            break;
+        }
+        for at in commas {
+            text.replace_range(at..=at, ".");
+        }
+    }
+    (text, mistakes)
+}
+
+/// The positions of the decimal commas in a part of a text, each with its number.
+fn decimal_commas(text: &str, line: std::ops::Range<usize>) -> Vec<(usize, &str)> {
+    let values = text[line.clone()].match_indices('=').filter_map(|(at, _)| {
+        let value = text[line.start + at + 1..line.end].trim_start();
+        let number = comma_number(value)?;
+        let start = line.end - value.len();
+        Some((start + number.find(',')?, number))
+    });
+    values.collect()
+}
+
+/// The number with a comma at the start of a text: `200,5, y`.
+fn comma_number(text: &str) -> Option<&str> {
+    let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+    let sign = usize::from(text.starts_with(['-', '+']));
+    let whole = digits(&text[sign..]);
+    let rest = text[sign + whole..].strip_prefix(',')?;
+    let decimals = digits(rest);
+    (whole > 0 && decimals > 0).then(|| &text[..sign + whole + 1 + decimals])
+}
+
+/// The keys of a program.
+const KEYS: [&str; 8] = [
+    "title",
+    "start_speed_percent",
+    "tools",
+    "points",
+    "frames",
+    "grids",
+    "variables",
+    "steps",
+];
+/// The largest text whose mistakes are all listed: longer ones are not written by hand.
+const MAX_TEXT_BYTES: usize = 1 << 20;
+/// The number of times that a text is corrected and read again.
+const MAX_CORRECTIONS: usize = 20;
+const A_POINT: Point = Point::xyz(0.0, 0.0, 0.0);
+const A_TOOL: MountedTool = MountedTool {
+    kind: Tool::SuctionCup,
+    length: 0.0,
+};
+/// A grid without cells, which other grids are not compared with.
+const A_GRID: Grid = Grid {
+    at: Place::At(A_POINT),
+    columns: 0,
+    rows: 0,
+    layers: 0,
+    pitch: Offset {
+        x: 0.0,
+        y: 0.0,
+        z: 0.0,
+    },
+};
