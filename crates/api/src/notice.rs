@@ -6,6 +6,7 @@ use dobot_wire::Dialect;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::request::without_fields;
 use crate::{ClientId, EpisodeMark, JobPhase, LinkCause, Sense};
 
 /// An event, for all observers.
@@ -33,12 +34,16 @@ pub enum Heard {
         words: String,
     },
     /// "Go": do what was said last.
+    #[serde(deserialize_with = "without_fields")]
     Go,
     /// "No": forget what was said last.
+    #[serde(deserialize_with = "without_fields")]
     No,
     /// "Stop".
+    #[serde(deserialize_with = "without_fields")]
     Stop,
     /// Nothing that is an order.
+    #[serde(deserialize_with = "without_fields")]
     Nothing,
 }
 

@@ -89,7 +89,7 @@ kinds! {
     NO_SUCH_RECORDING = 404 "no-such-recording" "there is no such recording"
         "No recording has this name; the oldest are deleted when there are too many. `/api/v1/recordings` lists all of them.";
     NO_SUCH_FILE = 404 "no-such-file" "there is no such file"
-        "No stored file has this number: it was deleted. `/api/v1/files` lists all of them.";
+        "No stored file has this number: it was deleted, or a part of the page is not installed. `/api/v1/files` lists all stored files.";
     NO_SUCH_TOKEN = 404 "no-such-token" "there is no such token"
         "No token has this name. `/api/v1/tokens` lists all of them.";
     NO_SUCH_BUTTON = 404 "no-such-button" "there is no such button"

@@ -254,7 +254,7 @@ pub enum Request {
 }
 
 /// Rejects unknown fields of a request without fields; a derived reader would ignore them.
-fn without_fields<'de, D: Deserializer<'de>>(deserializer: D) -> Result<(), D::Error> {
+pub(crate) fn without_fields<'de, D: Deserializer<'de>>(deserializer: D) -> Result<(), D::Error> {
     #[derive(Deserialize)]
     #[serde(deny_unknown_fields)]
     struct Nothing {}

@@ -84,11 +84,13 @@ fn a_spoken_order_moves_no_further_than_the_policy_allows() {
             ),
             "{refused}"
         );
+        station.run_for(Duration::from_secs(1));
         spoken(&mut station, anna, "left fifty").unwrap();
         station.run_for(Duration::from_secs(5));
         let policy = Policy::from_toml("[voice]\nlargest_mm = 5").unwrap();
         station.set_policy(anna, policy).unwrap();
         spoken(&mut station, anna, "right ten").unwrap_err();
+        station.run_for(Duration::from_secs(1));
         spoken(&mut station, anna, "right five").unwrap();
         let texts = station.notices();
         let has = |text: &str| texts.iter().any(|notice| notice.text == text);

@@ -6,7 +6,7 @@ use axum::Json;
 use axum::extract::{Path, State};
 use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE};
 use axum::response::{IntoResponse, Response};
-use dobot_api::problem_kinds::UNKNOWN_PATH;
+use dobot_api::problem_kinds::NO_SUCH_FILE;
 
 use super::GET;
 use crate::EXTRAS;
@@ -30,7 +30,8 @@ pub(super) fn all() -> Vec<Route> {
             file,
         )
         .open()
-        .gives_text(200, "application/octet-stream", "the file"),
+        .gives_text(200, "application/octet-stream", "the file")
+        .problems(&[NO_SUCH_FILE]),
     ]
 }
 
@@ -52,7 +53,7 @@ async fn file(
     let content = content.ok_or_else(|| {
         let name: String = name.chars().take(80).collect();
         let hint = "`dobot extras` says how to install optional parts";
-        RequestFailed(UNKNOWN_PATH.hinted(format!("there is no file {name:?} here"), hint))
+        RequestFailed(NO_SUCH_FILE.hinted(format!("there is no file {name:?} here"), hint))
     })?;
     let about = [
         (CONTENT_TYPE, content_type(&name)),

@@ -395,8 +395,8 @@ fn files_in(path: &str, text: &str) -> Vec<String> {
         let named = matches!(file.rsplit_once('.'), Some((_, "js" | "css")));
         named && !file.contains([' ', '(', ':'])
     };
-    // The service worker is at a fixed path.
-    let is_module = |file: &&str| *file != "offline.js";
+    // The service worker is at a fixed path, and optional parts are served once they are installed.
+    let is_module = |file: &&str| !["offline.js", "${files}hands.js"].contains(file);
     let quoted = text
         .split(['"', '\'', '`', '\n'])
         .filter(ours)
