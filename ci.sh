@@ -49,7 +49,7 @@ readonly WIDE_STEPS=(
   "doc-all      Build the documentation of the remaining crates"
   "workflows    Check the workflow files with actionlint, and the installation by the GitHub Action"
   "site         Build README and docs as a website, and check its links"
-  "models       Load the arm's models with yourdfpy and mujoco, and compare the kinematics"
+  "models       Load the arm's models with yourdfpy, MuJoCo, PyBullet, Drake and pinocchio, and compare the kinematics"
   "voice        Measure how well spoken orders are understood, with speech made by flite"
   "hands        Look for hands in pictures with MediaPipe's models in a browser"
   "eyes         Measure the accuracy of the camera with 60 photos, and of the calibration from one photo with 200 arms"
@@ -58,6 +58,7 @@ readonly WIDE_STEPS=(
   "icons        Compare drawings of icons and styles with Chromium's pictures"
   "fleet        Run a class in three networks, with eclipse-zenoh as a peer and the board in browsers"
   "ros2         Use an arm over ROS 2 with cyclonedds"
+  "agents       Use an arm with the Python and TypeScript libraries of the Model Context Protocol"
   "bench-check  Run every benchmark once, unoptimised"
   "fuzz         Run every fuzz target with a fixed number of inputs"
   "release      Build everything that is distributed, and use it in Debian 11 to 13 and Python 3.10 to 3.13 as a new user"
@@ -382,6 +383,15 @@ step_ros2() {
   PATH=$VENV/bin:$PATH tests/ros2/check.sh "$(built)"
 }
 
+step_agents() {
+  needs_packages wide
+  needs_command node nodejs
+  needs_command npm npm
+  npm ci --prefix tests/agents --no-audit --no-fund
+  build_rare
+  PATH=$VENV/bin:$PATH tests/agents/check.sh "$DOBOT"
+}
+
 # The module is built with the other crates and put beside the package's Python files; release/wheel.sh builds the wheel.
 step_python() {
   local folder tests=$PWD/python/tests notebooks=$PWD/examples/notebooks
@@ -679,7 +689,7 @@ needs_packages() {
 # Installs Python packages while cargo builds.
 install_packages_early() {
   case " $* " in
-    *" eyes "* | *" models "* | *" site "* | *" recordings "* | *" fleet "* | *" ros2 "*) needs_packages wide >/dev/null 2>&1 & ;;
+    *" agents "* | *" eyes "* | *" models "* | *" site "* | *" recordings "* | *" fleet "* | *" ros2 "*) needs_packages wide >/dev/null 2>&1 & ;;
     *" api "* | *" python "* | *" voice "* | *" hands "*) needs_packages ci >/dev/null 2>&1 & ;;
     *) return ;;
   esac

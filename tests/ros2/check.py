@@ -119,6 +119,43 @@ def the_arm_goes_to_a_target_and_gives_control_back(robot, station, bridge):
     assert math.dist(robot.tool(), (0.22, 0.05, 0.06)) < 0.001
 
 
+def velocities_and_pose_are_those_of_the_motion(robot, station, bridge):
+    here = robot.joints()
+    drop(robot.joint_states)
+    goal = robot.follow(["base"], [([here["base"] - 0.4], 4.0)])
+    states = [first(robot.joint_states) for _ in range(40)]
+    assert robot.result(goal).status == SUCCEEDED
+    # What the velocities add up to between statuses is the way.
+    stamps = [it.header.stamp.sec + it.header.stamp.nanosec / 1e9 for it in states]
+    way = sum(it.velocity[0] * (after - before) for it, before, after in zip(states[1:], stamps, stamps[1:]))
+    moved = states[-1].position[0] - states[0].position[0]
+    assert abs(way - moved) < 0.02 and min(it.velocity[0] for it in states) < -0.05, (way, moved)
+    assert all(len(it.velocity) == len(it.name) == 4 for it in states)
+    rests(robot)
+    assert first(robot.joint_states).velocity == [0.0] * 4
+    drop(robot.pose)
+    pose, tool = first(robot.pose), robot.tool()
+    at = pose.pose.position
+    assert pose.header.frame_id == "base" and math.dist((at.x, at.y, at.z), tool) < 1e-4, (pose, tool)
+    joints = robot.joints()
+    turn = 2 * math.atan2(pose.pose.orientation.z, pose.pose.orientation.w)
+    assert abs(turn - joints["base"] - joints["servo"]) < 1e-3, (turn, joints)
+
+
+def the_settings_are_parameters_that_can_be_read_only(robot, station, bridge):
+    names = robot.list_parameters().names
+    assert {"deviation_deg", "robot_description", "tool", "tool_length_mm", "use_sim_time"} == set(names), names
+    values = robot.get_parameters(names=["deviation_deg", "tool", "none", "robot_description"]).values
+    assert [it.type for it in values] == [3, 4, 0, 4], values
+    assert (values[0].double_value, values[1].string_value) == (1.0, "cup"), values
+    assert values[3].string_value == first(robot.reader("rt/robot_description", m.String, KEPT)).data
+    (described,) = robot.describe_parameters(names=["deviation_deg"]).values
+    assert described.read_only and described.type == 3 and "degrees" in described.description, described
+    value = m.ParameterValue(type=3, double_value=2.0)
+    (answer,) = robot.set_parameters(parameters=[m.Parameter("deviation_deg", value)]).results
+    assert not answer.successful and "--deviation" in answer.reason, answer
+
+
 def a_trajectory_is_followed_thinned_and_told(robot, station, bridge):
     now = robot.joints()
     names = ["base", "rear", "fore"]
@@ -236,6 +273,21 @@ def pump_and_gripper_are_switched(robot, station, bridge):
         assert (arm["suction"], arm["gripper_deg"] < 0) == (on, on), arm
 
 
+def the_gripper_turns_to_an_angle(robot, station, bridge):
+    before = robot.joints()
+    turned = robot.turn_gripper(-0.5236)
+    assert (turned.status, turned.reached_goal, turned.stalled) == (SUCCEEDED, True, False), turned
+    assert turned.state.name == ["gripper"] and abs(turned.state.position[0] + 0.5236) < 1e-4, turned
+    rests(robot)
+    assert abs(station.ask("GET", "/api/v1/state")["arm"]["gripper_deg"] + 30) < 0.1
+    assert robot.joints() == before
+    refused = robot.turn_gripper(2.0)
+    assert (refused.status, refused.reached_goal) == (ABORTED, False), refused
+    says("-1.5708 (closed) to 1.5708 (open)", robot.reported("gripper_command: command.position"))
+    assert robot.turn_gripper(0.1, effort=[5.0]).status == ABORTED
+    says("a force of its own", robot.reported("gripper_command: command.effort"))
+
+
 def a_stop_holds_until_a_person_resets_it(robot, station, bridge):
     here = robot.joints()["base"]
     goal = robot.follow(["base"], [([here - 0.8], 8.0)])
@@ -306,6 +358,8 @@ CHECKS = [
     description_and_transforms_are_of_one_arm,
     an_arm_in_order_is_diagnosed_so,
     the_arm_goes_to_a_target_and_gives_control_back,
+    velocities_and_pose_are_those_of_the_motion,
+    the_settings_are_parameters_that_can_be_read_only,
     a_trajectory_is_followed_thinned_and_told,
     a_trajectory_that_makes_no_sense_is_told_why_and_moves_nothing,
     a_cancelled_trajectory_holds,
@@ -313,6 +367,7 @@ CHECKS = [
     a_jog_of_two_axes_is_refused,
     a_joint_jogs_for_as_long_as_it_is_said,
     pump_and_gripper_are_switched,
+    the_gripper_turns_to_an_angle,
     a_stop_holds_until_a_person_resets_it,
     who_may_only_watch_sees_everything_stops_the_arm_and_moves_nothing,
     a_station_that_is_killed_is_told_and_found_again,

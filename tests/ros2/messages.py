@@ -298,3 +298,146 @@ class CancelGoalResponse(IdlStruct, typename="action_msgs::srv::dds_::CancelGoal
     number: int64
     return_code: uint8
     goals_canceling: sequence[GoalInfo]
+
+
+@dataclass
+class GripperSendGoalRequest(IdlStruct, typename="control_msgs::action::dds_::ParallelGripperCommand_SendGoal_Request_"):
+    guid: uint64
+    number: int64
+    goal_id: array[uint8, 16]
+    command: JointState
+
+
+@dataclass
+class GripperSendGoalResponse(IdlStruct, typename="control_msgs::action::dds_::ParallelGripperCommand_SendGoal_Response_"):
+    guid: uint64
+    number: int64
+    accepted: bool
+    stamp: Time
+
+
+@dataclass
+class GripperGetResultRequest(IdlStruct, typename="control_msgs::action::dds_::ParallelGripperCommand_GetResult_Request_"):
+    guid: uint64
+    number: int64
+    goal_id: array[uint8, 16]
+
+
+@dataclass
+class GripperGetResultResponse(IdlStruct, typename="control_msgs::action::dds_::ParallelGripperCommand_GetResult_Response_"):
+    guid: uint64
+    number: int64
+    status: uint8
+    state: JointState
+    stalled: bool
+    reached_goal: bool
+
+
+@dataclass
+class ParameterValue(IdlStruct, typename="rcl_interfaces::msg::dds_::ParameterValue_"):
+    type: uint8 = 0
+    bool_value: bool = False
+    integer_value: int64 = 0
+    double_value: float64 = 0.0
+    string_value: str = ""
+    byte_array_value: sequence[uint8] = field(default_factory=list)
+    bool_array_value: sequence[bool] = field(default_factory=list)
+    integer_array_value: sequence[int64] = field(default_factory=list)
+    double_array_value: sequence[float64] = field(default_factory=list)
+    string_array_value: sequence[str] = field(default_factory=list)
+
+
+@dataclass
+class Parameter(IdlStruct, typename="rcl_interfaces::msg::dds_::Parameter_"):
+    name: str
+    value: ParameterValue
+
+
+@dataclass
+class FloatingPointRange(IdlStruct, typename="rcl_interfaces::msg::dds_::FloatingPointRange_"):
+    from_value: float64
+    to_value: float64
+    step: float64
+
+
+@dataclass
+class IntegerRange(IdlStruct, typename="rcl_interfaces::msg::dds_::IntegerRange_"):
+    from_value: int64
+    to_value: int64
+    step: uint64
+
+
+@dataclass
+class ParameterDescriptor(IdlStruct, typename="rcl_interfaces::msg::dds_::ParameterDescriptor_"):
+    name: str
+    type: uint8
+    description: str
+    additional_constraints: str
+    read_only: bool
+    dynamic_typing: bool
+    floating_point_range: sequence[FloatingPointRange]
+    integer_range: sequence[IntegerRange]
+
+
+@dataclass
+class ListParametersRequest(IdlStruct, typename="rcl_interfaces::srv::dds_::ListParameters_Request_"):
+    guid: uint64
+    number: int64
+    prefixes: sequence[str] = field(default_factory=list)
+    depth: uint64 = 0
+
+
+@dataclass
+class ListParametersResponse(IdlStruct, typename="rcl_interfaces::srv::dds_::ListParameters_Response_"):
+    guid: uint64
+    number: int64
+    names: sequence[str]
+    prefixes: sequence[str]
+
+
+@dataclass
+class GetParametersRequest(IdlStruct, typename="rcl_interfaces::srv::dds_::GetParameters_Request_"):
+    guid: uint64
+    number: int64
+    names: sequence[str]
+
+
+@dataclass
+class GetParametersResponse(IdlStruct, typename="rcl_interfaces::srv::dds_::GetParameters_Response_"):
+    guid: uint64
+    number: int64
+    values: sequence[ParameterValue]
+
+
+@dataclass
+class DescribeParametersRequest(IdlStruct, typename="rcl_interfaces::srv::dds_::DescribeParameters_Request_"):
+    guid: uint64
+    number: int64
+    names: sequence[str]
+
+
+@dataclass
+class DescribeParametersResponse(IdlStruct, typename="rcl_interfaces::srv::dds_::DescribeParameters_Response_"):
+    guid: uint64
+    number: int64
+    values: sequence[ParameterDescriptor]
+
+
+@dataclass
+class SetParametersRequest(IdlStruct, typename="rcl_interfaces::srv::dds_::SetParameters_Request_"):
+    guid: uint64
+    number: int64
+    parameters: sequence[Parameter]
+
+
+@dataclass
+class SetParametersResult(IdlStruct, typename="rcl_interfaces::msg::dds_::SetParametersResult_"):
+    successful: bool
+    reason: str
+
+
+@dataclass
+class SetParametersResponse(IdlStruct, typename="rcl_interfaces::srv::dds_::SetParameters_Response_"):
+    guid: uint64
+    number: int64
+    results: sequence[SetParametersResult]

@@ -50,6 +50,16 @@ class Robot:
         self.send_goal = Service(self, f"{action}/send_goal", m.SendGoalRequest, m.SendGoalResponse)
         self.get_result = Service(self, f"{action}/get_result", m.GetResultRequest, m.GetResultResponse)
         self.cancel_goal = Service(self, f"{action}/cancel_goal", m.CancelGoalRequest, m.CancelGoalResponse)
+        gripper = f"{node}/gripper_command/_action"
+        self.send_gripper = Service(self, f"{gripper}/send_goal", m.GripperSendGoalRequest, m.GripperSendGoalResponse)
+        self.gripper_result = Service(self, f"{gripper}/get_result", m.GripperGetResultRequest, m.GripperGetResultResponse)
+        self.list_parameters = Service(self, f"{node}/list_parameters", m.ListParametersRequest, m.ListParametersResponse)
+        self.get_parameters = Service(self, f"{node}/get_parameters", m.GetParametersRequest, m.GetParametersResponse)
+        self.describe_parameters = Service(
+            self, f"{node}/describe_parameters", m.DescribeParametersRequest, m.DescribeParametersResponse
+        )
+        self.set_parameters = Service(self, f"{node}/set_parameters", m.SetParametersRequest, m.SetParametersResponse)
+        self.pose = self.reader(f"rt{node}/pose", m.PoseStamped)
         self.feedback = self.reader(f"rt{action}/feedback", m.FollowFeedbackMessage)
 
     def reader(self, name, kind, qos=LATEST):
@@ -124,6 +134,13 @@ class Robot:
         accepted = self.send_goal(goal_id=goal, goal=m.FollowGoal(trajectory=trajectory, **more))
         assert accepted.accepted
         return goal
+
+    def turn_gripper(self, *angles, **more):
+        """Turns the gripper to angles in radians, and returns the result."""
+        goal = uuid.uuid4().bytes
+        command = m.JointState(m.Header(), ["gripper"], list(angles), [], more.get("effort", []))
+        assert self.send_gripper(goal_id=goal, command=command).accepted
+        return self.gripper_result(goal_id=goal)
 
     def result(self, goal):
         return self.get_result(goal_id=goal)

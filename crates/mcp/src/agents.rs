@@ -19,6 +19,7 @@ use crate::arguments::{
     ChangeJob, CheckMove, JobAction, Nothing, StopArguments, ToJoints, ToPoint, read,
 };
 use crate::call::{Call, Shared, result};
+use crate::consent::Questions;
 use crate::drawings::Drawings;
 use crate::own_jobs::OwnJobs;
 use crate::refused::Refused;
@@ -50,8 +51,8 @@ impl Agents {
         self.shared.gone.clone()
     }
 
-    fn call(&self, context: RequestContext<RoleServer>) -> Call {
-        Call::new(self.shared.clone(), context)
+    fn call(&self, context: RequestContext<RoleServer>, questions: Questions) -> Call {
+        Call::new(self.shared.clone(), context, questions)
     }
 }
 
@@ -87,7 +88,7 @@ impl ServerHandler for Agents {
         request: CallToolRequestParams,
         context: RequestContext<RoleServer>,
     ) -> Result<CallToolResponse, ErrorData> {
-        let call = self.call(context);
+        let call = self.call(context, Questions::new(&request));
         let arguments = request.arguments.unwrap_or_default();
         let done = Box::pin(run(&call, &request.name, arguments)).await;
         let unknown = || {
@@ -96,6 +97,9 @@ impl ServerHandler for Agents {
             let text = format!("there is no tool `{}`; there are {names}", request.name);
             ErrorData::invalid_params(text, None)
         };
+        if let Some(question) = call.questions.to_ask() {
+            return Ok(question.into());
+        }
         done.map(CallToolResponse::from).ok_or_else(unknown)
     }
 
@@ -112,7 +116,7 @@ impl ServerHandler for Agents {
         request: ReadResourceRequestParams,
         context: RequestContext<RoleServer>,
     ) -> Result<ReadResourceResponse, ErrorData> {
-        let call = self.call(context);
+        let call = self.call(context, Questions::default());
         let contents = resources::read(&call, &request.uri).await?;
         Ok(ReadResourceResult::new(vec![contents]).into())
     }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use dobot_api::{Reply, Request, Role, State, StationAddress, fetch};
-use dobot_host::{StationClient, Target};
+use dobot_host::{StationClient, Target, TargetPlace};
 use dobot_supervisor::is_plain;
 use rmcp::RoleServer;
 use rmcp::model::{CallToolResult, ProgressNotificationParam};
@@ -14,6 +14,7 @@ use serde_json::{Value, json};
 use tokio::sync::watch;
 
 use crate::Settings;
+use crate::consent::Questions;
 use crate::drawings::Drawings;
 use crate::http::Visit;
 use crate::own_jobs::OwnJobs;
@@ -32,12 +33,21 @@ pub(crate) struct Shared {
 /// One call of a tool.
 pub(crate) struct Call {
     pub(crate) shared: Arc<Shared>,
-    context: RequestContext<RoleServer>,
+    pub(crate) context: RequestContext<RoleServer>,
+    pub(crate) questions: Questions,
 }
 
 impl Call {
-    pub(crate) const fn new(shared: Arc<Shared>, context: RequestContext<RoleServer>) -> Self {
-        Self { shared, context }
+    pub(crate) const fn new(
+        shared: Arc<Shared>,
+        context: RequestContext<RoleServer>,
+        questions: Questions,
+    ) -> Self {
+        Self {
+            shared,
+            context,
+            questions,
+        }
     }
 
     /// Returns the station; an agent over HTTP is identified by its own token.
@@ -138,18 +148,6 @@ impl Call {
         asks || station.role() == Role::Queue
     }
 
-    /// Refuses motion that a person has to start.
-    pub(crate) fn check_may_move(&self, station: &StationClient) -> Result<(), Refused> {
-        if !self.asks(station) {
-            return Ok(());
-        }
-        Err(Refused::new(
-            "needs-a-person",
-            "agents may move the arm only with drawings and programs, and a person has to start each of them",
-        )
-        .hinted("queue a drawing with `draw` or a program with `run_program`; a person starts it on the station's page"))
-    }
-
     /// Returns the command for a target, from the current state.
     pub(crate) fn command(target: &Target, state: &State) -> Result<dobot_wire::Command, Refused> {
         let arm = state.arm.as_ref().ok_or_else(no_arm)?;
@@ -159,7 +157,7 @@ impl Call {
     /// Moves to a target, and returns the state at rest.
     pub(crate) async fn carry_out(&self, target: &Target) -> Result<Value, Refused> {
         let mut station = self.connect().await?;
-        self.check_may_move(&station)?;
+        self.check_may_move(&station, &target_text(target)).await?;
         let command = Self::command(target, &self.state().await?)?;
         station.request(Request::TakeLease).await?;
         let reply = station
@@ -199,6 +197,18 @@ impl Call {
             .take(50)
             .collect();
         format!("agent {name}").trim_end().to_owned()
+    }
+}
+
+/// Returns a motion for a question to a person.
+fn target_text(target: &Target) -> String {
+    match target.place {
+        TargetPlace::Point { mm: [x, y, z], .. } => {
+            format!("move the arm to x {x}, y {y}, z {z} mm")
+        }
+        TargetPlace::Joints([base, rear, fore]) => {
+            format!("turn the arm to base {base}, rear arm {rear}, forearm {fore} degrees")
+        }
     }
 }
 

@@ -16,6 +16,7 @@ use serde_json::{Value, json};
 
 use crate::arguments::{NewDrawing, PlannedDrawing};
 use crate::call::{Call, no_arm, wait};
+use crate::consent::short;
 use crate::refused::Refused;
 
 /// The latest planned drawings.
@@ -106,12 +107,14 @@ impl Call {
             )
             .hinted("plan it again with `plan_drawing`"));
         }
-        if !self.asks(&station) {
+        let what = format!("draw \"{}\"", short(&drawing.job.title));
+        let may_start = self.may_start(&station, &what).await?;
+        if may_start {
             // Nothing is queued that cannot be started.
             station.request(Request::TakeLease).await?;
         }
         let job = station.submit(drawing.job.clone()).await?;
-        self.start_new(&mut station, job, time).await
+        self.start_new(&mut station, job, time, may_start).await
     }
 
     async fn planned_for(&self, station: &mut StationClient) -> Result<PlannedFor, Refused> {

@@ -11,6 +11,7 @@ use crate::arguments::{
     AnswerJob, ChangeJob, JobAction, ProgramArguments, ProgramText, RunProgram, WhichJobs,
 };
 use crate::call::{Call, wait};
+use crate::consent::short;
 use crate::refused::Refused;
 
 impl Call {
@@ -25,7 +26,9 @@ impl Call {
         let program = self.program(asked.program).await?;
         let times = asked.times.map(|time| json!({ "count": time }));
         let mut station = self.connect().await?;
-        if !self.asks(&station) {
+        let what = format!("run a program of {} lines", program.text.lines().count());
+        let may_start = self.may_start(&station, &what).await?;
+        if may_start {
             // Nothing is queued that cannot be started.
             station.request(Request::TakeLease).await?;
         }
@@ -37,7 +40,7 @@ impl Call {
                 "the station did not return the number of the queued job",
             ));
         };
-        self.start_new(&mut station, job.job, time).await
+        self.start_new(&mut station, job.job, time, may_start).await
     }
 
     async fn program(&self, asked: ProgramArguments) -> Result<ProgramText, Refused> {
@@ -73,8 +76,9 @@ impl Call {
         station: &mut StationClient,
         job: u64,
         time: Duration,
+        may_start: bool,
     ) -> Result<Value, Refused> {
-        if self.asks(station) {
+        if !may_start {
             let text = format!(
                 "job {job} is queued; a person has to start it, on the station's page or with `dobot jobs start {job}`"
             );
@@ -132,11 +136,12 @@ impl Call {
     pub(crate) async fn resume_job(&self, asked: &ChangeJob) -> Result<Value, Refused> {
         let time = wait(asked.wait_s)?;
         let mut station = self.connect().await?;
-        self.check_may_move(&station)?;
         let found = view(&mut station, asked.job).await?;
         self.shared
             .own_jobs
             .check_may_resume(&self.name(), &found)?;
+        let question = format!("resume job {}, \"{}\"", asked.job, short(&found.title));
+        self.check_may_move(&station, &question).await?;
         station.request(Request::TakeLease).await?;
         start(&mut station, asked.job).await?;
         self.follow(&mut station, asked.job, time).await
@@ -148,11 +153,12 @@ impl Call {
     pub(crate) async fn answer_job(&self, asked: AnswerJob) -> Result<Value, Refused> {
         let time = wait(asked.wait_s)?;
         let mut station = self.connect().await?;
-        self.check_may_move(&station)?;
         let found = view(&mut station, asked.job).await?;
         self.shared
             .own_jobs
             .check_may_answer(&self.name(), &found)?;
+        let question = format!("answer job {}, \"{}\"", asked.job, short(&found.title));
+        self.check_may_move(&station, &question).await?;
         let answer = match (asked.answer, asked.place) {
             (Some(answer), None) => Answer::Choice(answer),
             (None, Some(place)) => Answer::Place(place),

@@ -21,6 +21,7 @@
 mod agents;
 mod arguments;
 mod call;
+mod consent;
 mod drawings;
 mod files;
 mod http;

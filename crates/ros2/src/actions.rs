@@ -14,12 +14,11 @@ use crate::goal::{Fault, FaultCode, Wanted, rad};
 use crate::joints::{JOINTS, degrees_of};
 use crate::station::refused;
 
-/// The state of an arm at rest, and its status period.
+/// The state of an arm at rest.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stand {
     pub(crate) status: Status,
-    /// The status period.
-    pub(crate) period: Duration,
+    pub(crate) dialect: Dialect,
 }
 
 /// Takes control, which is released when the connection is dropped, and waits until the arm is at
@@ -44,7 +43,7 @@ async fn state_at_rest(station: &mut StationClient) -> Result<Stand, String> {
     })?;
     Ok(Stand {
         status: arm.status,
-        period: dialect.unwrap_or(Dialect::FIRMWARE_1_1).status_period(),
+        dialect: dialect.unwrap_or(Dialect::FIRMWARE_1_1),
     })
 }
 
@@ -108,10 +107,10 @@ async fn shown(station: &mut StationClient, on: bool) -> Result<(), String> {
     }
 }
 
-/// Closes or opens the gripper at the current position.
+/// Turns the gripper to an angle at the current position, -90 (closed) to 90 degrees (open).
 pub(crate) async fn gripper(
     station: &mut StationClient,
-    closed: bool,
+    angle_deg: f32,
     ending: &mut watch::Receiver<bool>,
 ) -> Result<String, String> {
     let Stand { status, .. } = take_at_rest(station).await?;
@@ -120,14 +119,11 @@ pub(crate) async fn gripper(
         servo_deg: None,
         mode: MovingMode::MovJ,
         suction: None,
-        gripper_deg: Some(if closed { -GRIPPER_DEG } else { GRIPPER_DEG }),
+        gripper_deg: Some(angle_deg),
         pause_s: 0.0,
     };
     go(station, &target, ending).await?;
-    Ok(format!(
-        "the gripper is {}",
-        if closed { "closed" } else { "open" }
-    ))
+    Ok(format!("the gripper is at {angle_deg:.1} degrees"))
 }
 
 /// Stops the arm, with or without control, and returns a text with the time until it is at rest.
@@ -271,7 +267,7 @@ pub(crate) async fn ended(ending: &mut watch::Receiver<bool>) {
 }
 
 /// The range of the gripper in each direction.
-const GRIPPER_DEG: f32 = 90.0;
+pub(crate) const GRIPPER_DEG: f32 = 90.0;
 /// The maximum time until an arm is at rest.
 const PATIENCE: Duration = Duration::from_secs(10);
 

@@ -10,16 +10,20 @@ use ros2_client::{Message, Server, Subscription};
 use tokio::sync::{mpsc, oneshot, watch};
 use tokio::time::timeout;
 
-use crate::actions::{ended, go, gripper, suction};
+use crate::actions::{GRIPPER_DEG, ended, go, gripper, suction};
 use crate::buttons::{Buttons, JogMessage};
+use crate::follow_action::FollowAction;
 use crate::frames::Frames;
-use crate::goals::Goals;
+use crate::goals::{self, Action, Goals};
+use crate::gripper_action::GripperAction;
 use crate::jog;
+use crate::joints::Velocities;
 use crate::log::Log;
 use crate::messages::{
     Answer, JointJog, PoseStamped, SetBoolRequest, TriggerRequest, TwistStamped,
 };
-use crate::node::{Listeners, Names, NodeError, Publishers, Servers, node};
+use crate::node::{Listeners, Names, NodeError, ParameterServers, Publishers, Servers, node};
+use crate::parameters::Parameters;
 use crate::settings::Settings;
 use crate::station::Station;
 use crate::target::target;
@@ -43,10 +47,16 @@ pub async fn run(settings: Settings, mut ending: watch::Receiver<bool>) -> Resul
     let publishers = Publishers::new(&mut node, names)?;
     let listeners = Listeners::new(&mut node, names)?;
     let servers = Servers::new(&mut node, names, settings.middleware.mapping())?;
+    // Without the spinner of `ros2-client`: it serves simulated time, of a wrong type, and
+    // parameters, in one format only.
     let log = Arc::new(Log::new(node.logging_handle()));
-    let spinner = node.spinner()?;
-    tokio::spawn(spinner.spin());
 
+    let model = Model::new(settings.tool);
+    serve_parameters(
+        servers.parameters,
+        &Arc::new(Parameters::new(&settings, &model)),
+        &log,
+    );
     let station = Station::new(settings.station);
     let frames = Frames::new(&settings.namespace);
     let (stop, stops) = mpsc::channel(STOPS);
@@ -54,11 +64,12 @@ pub async fn run(settings: Settings, mut ending: watch::Receiver<bool>) -> Resul
         station: station.clone(),
         publishers,
         frames: frames.clone(),
-        model: Model::new(settings.tool),
+        model,
         log: log.clone(),
         stops,
         policy: None,
         diagnosed_s: None,
+        velocities: Velocities::default(),
     };
     tokio::spawn(watch.run());
     tokio::spawn(serve_stop(servers.stop, stop, log.clone()));
@@ -76,15 +87,17 @@ pub async fn run(settings: Settings, mut ending: watch::Receiver<bool>) -> Resul
     shared.serve(servers.gripper, Switch::Gripper);
     shared.take_targets(listeners.target);
     shared.take_jogs(listeners.twist, listeners.joints);
-    let goals = Arc::new(Goals {
-        server: servers.follow,
+    let follow = FollowAction {
         station: shared.station.clone(),
         log: shared.log.clone(),
         deviation_deg: settings.deviation_deg,
-        running: std::sync::Mutex::default(),
-        results: tokio::sync::Mutex::default(),
-    });
-    tokio::spawn(goals.run(ending.clone(), shared.busy.clone()));
+    };
+    let gripper = GripperAction {
+        station: shared.station.clone(),
+        ending: ending.clone(),
+    };
+    shared.accept_goals(follow, servers.follow);
+    shared.accept_goals(gripper, servers.gripper_command);
     shared.log.info("the node is running");
 
     ended(&mut ending).await;
@@ -104,6 +117,12 @@ struct Shared {
 }
 
 impl Shared {
+    /// Accepts the goals of an action.
+    fn accept_goals<A: Action>(&self, action: A, server: goals::Server<A>) {
+        let goals = Goals::new(action, server, self.log.clone());
+        tokio::spawn(goals.run(self.ending.clone(), self.busy.clone()));
+    }
+
     /// Serves a switch.
     fn serve(&self, server: Server<SetBoolRequest, Answer>, switch: Switch) {
         let name = switch.name();
@@ -135,7 +154,10 @@ impl Shared {
         let mut station = self.station.connect(switch.name()).await?;
         match switch {
             Switch::Suction => suction(&mut station, on).await,
-            Switch::Gripper => gripper(&mut station, on, &mut self.ending).await,
+            Switch::Gripper => {
+                let angle_deg = if on { -GRIPPER_DEG } else { GRIPPER_DEG };
+                gripper(&mut station, angle_deg, &mut self.ending).await
+            }
         }
     }
 
@@ -241,6 +263,52 @@ async fn pass_on<M: Message + 'static, T>(
             Err(error) => log.warn(&format!("cannot read a message: {error:?}")),
         }
     }
+}
+
+/// Serves the parameters.
+fn serve_parameters(servers: ParameterServers, parameters: &Arc<Parameters>, log: &Arc<Log>) {
+    /// Answers requests for as long as the node runs.
+    fn serve<
+        Q: Message + Clone + Send + Sync + 'static,
+        A: Message + Clone + Send + Sync + 'static,
+    >(
+        server: Server<Q, A>,
+        parameters: &Arc<Parameters>,
+        answer: fn(&Parameters, &Q) -> A,
+        log: &Arc<Log>,
+    ) {
+        let (parameters, log) = (parameters.clone(), log.clone());
+        tokio::spawn(async move {
+            let requests = server.receive_request_stream();
+            tokio::pin!(requests);
+            while let Some(request) = requests.next().await {
+                let answered = match request {
+                    Ok((id, request)) => {
+                        let answer = answer(&parameters, &request);
+                        server
+                            .async_send_response(id, answer)
+                            .await
+                            .map_err(|error| format!("{error:?}"))
+                    }
+                    Err(error) => Err(format!("{error:?}")),
+                };
+                if let Err(error) = answered {
+                    log.warn(&format!("cannot answer a request for parameters: {error}"));
+                }
+            }
+        });
+    }
+    serve(servers.list, parameters, Parameters::list, log);
+    serve(servers.get, parameters, Parameters::get, log);
+    serve(servers.types, parameters, Parameters::types, log);
+    serve(servers.describe, parameters, Parameters::describe, log);
+    serve(servers.set, parameters, Parameters::set, log);
+    serve(
+        servers.set_atomically,
+        parameters,
+        Parameters::set_atomically,
+        log,
+    );
 }
 
 /// Serves the stop, over the observer's connection.

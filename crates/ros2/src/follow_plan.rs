@@ -5,8 +5,9 @@ use std::time::Duration;
 
 use dobot_api::{JobKind, JobProgram, NewJob};
 use dobot_arm::Joints;
-use dobot_motion::{JointMove, Speeds};
-use dobot_wire::{Command, MoveJoints, MovingMode, PlaybackAdjustment, Status, single};
+use dobot_geometry::distance_from_chord;
+use dobot_motion::{ArmPlace, Model, Speeds, Trajectory};
+use dobot_wire::{Command, Dialect, MoveJoints, MovingMode, PlaybackAdjustment, Status, single};
 
 use crate::goal::{Fault, FaultCode, Wanted, rad};
 use crate::joints::JOINTS;
@@ -19,52 +20,90 @@ pub(crate) struct FollowPlan {
     /// Its duration by the motion model, in seconds.
     #[cfg(test)]
     pub(crate) takes_s: f64,
+    /// The largest deviation from the requested path by the motion model, in degrees.
+    #[cfg(test)]
+    pub(crate) deviation_deg: f64,
     /// The deviations from the requested trajectory, as text.
     pub(crate) summary: String,
 }
 
 impl FollowPlan {
-    /// Plans a trajectory for an arm at a position, with a status period. Without a tolerance in
-    /// the goal, the joints stay within the default tolerance (in degrees, combined) as far as the
-    /// link can carry that.
+    /// Plans a trajectory for an arm of a dialect that reports a status. Without a tolerance in the
+    /// goal, the joints stay within the default tolerance (in degrees, combined) as far as the link
+    /// can carry that.
     ///
     /// # Errors
     ///
-    /// [`Fault`] if a tolerance of the goal cannot be met.
+    /// [`Fault`] if a tolerance of the goal cannot be met, or the arm cannot get to a position.
     pub(crate) fn new(
         wanted: &Wanted,
         status: &Status,
-        period: Duration,
+        dialect: Dialect,
         tolerance_deg: f64,
     ) -> Result<Self, Fault> {
         let tolerances = wanted.path_deg.iter().flatten();
         let tolerance_deg =
             tolerances.fold(tolerance_deg, |least, tolerance| least.min(*tolerance));
+        let period = dialect.status_period();
+        let model = Model::new(dialect, status);
+        let path = wanted.divided(TARGET_PERIODS * period.as_secs_f64());
         let most = carried(wanted.duration_s(), period);
-        let thin = thinned(&wanted.places, &holds(wanted, period), tolerance_deg, most);
+        let bow = |from, to| bow_deg(&model, &path, from, to);
+        let holds = holds(wanted, period).into_iter();
+        let holds: Vec<usize> = holds
+            .map(|hold| path.at_s.partition_point(|at_s| *at_s < wanted.at_s[hold]))
+            .collect();
+        let thin = thinned(&path.places, &holds, tolerance_deg, most, bow);
         check_path(wanted, &thin)?;
-        let moves = moves(wanted, &thin);
+        let moves = moves(&model, &path, &thin)?;
         let takes_s: f64 = moves.iter().map(FollowMove::takes_s).sum();
         check_time(wanted, takes_s)?;
+        let deviation = thin.farthest.map(|at| (thin.deviation, path.at_s[at]));
         Ok(Self {
-            summary: summary(wanted, &thin, moves.len(), takes_s),
+            summary: summary(wanted, deviation, moves.len(), takes_s),
             job: job(&moves, status),
             #[cfg(test)]
             takes_s,
+            #[cfg(test)]
+            deviation_deg: thin.deviation,
         })
     }
+}
+
+/// Returns how far the joints leave the straight line between two points of a path, in degrees: the
+/// joints of a stock arm do not turn in proportion (note N45). A target that the arm cannot get to
+/// counts as none here.
+fn bow_deg(model: &Model, path: &Wanted, from: usize, to: usize) -> f64 {
+    let within_s = path.at_s[to] - path.at_s[from];
+    // All pieces bow alike.
+    let piece = divided(path.places[from], path.places[to], within_s).next();
+    let planned = piece.and_then(|piece| piece.planned(model).ok());
+    let Some(Planned { piece, trajectory }) = planned else {
+        return 0.0;
+    };
+    let corners = trajectory.corners();
+    corners.fold(0.0, |most: f64, (place, _)| {
+        let Joints {
+            base,
+            rear,
+            fore,
+            servo,
+        } = place.joints;
+        let at = [base.0, rear.0, fore.0, servo.0];
+        most.max(distance_from_chord(at, piece.from_deg, piece.to_deg))
+    })
 }
 
 /// Returns the number of targets that the link can carry in a time: each takes two commands, its
 /// speed and itself, and a status permits one (note N20).
 fn carried(duration_s: f64, period: Duration) -> usize {
-    let commands = duration_s / period.as_secs_f64();
+    let periods = duration_s / period.as_secs_f64();
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "an hour has 45,000 periods"
     )]
-    let targets = (commands / 2.0) as usize;
+    let targets = (periods / TARGET_PERIODS) as usize;
     targets.max(1)
 }
 
@@ -141,13 +180,15 @@ struct FollowMove {
 ///
 /// The arm cannot abort a motion to a target. So a motion that would take longer than the time
 /// allowed for holding is divided.
-fn moves(wanted: &Wanted, thin: &Thinned) -> Vec<FollowMove> {
+fn moves(model: &Model, path: &Wanted, thin: &Thinned) -> Result<Vec<FollowMove>, Fault> {
     let mut moves: Vec<FollowMove> = Vec::new();
-    let (mut from_deg, mut from_s) = (wanted.places[0], 0.0);
+    let (mut from_deg, mut from_s) = (path.places[0], 0.0);
     for &at in &thin.kept[1..] {
-        let (to_deg, within_s) = (wanted.places[at], wanted.at_s[at] - from_s);
+        let (to_deg, within_s) = (path.places[at], path.at_s[at] - from_s);
         if way_deg(&from_deg, &to_deg) >= STILL_DEG {
-            moves.extend(divided(from_deg, to_deg, within_s));
+            for piece in divided(from_deg, to_deg, within_s) {
+                moves.push(piece.planned(model)?.as_move());
+            }
             from_deg = to_deg;
         } else if let Some(before) = moves.last().copied() {
             moves.extend(waits(before, within_s));
@@ -155,10 +196,10 @@ fn moves(wanted: &Wanted, thin: &Thinned) -> Vec<FollowMove> {
             // It is at rest at the beginning: the first target gets more time.
             continue;
         }
-        from_s = wanted.at_s[at];
+        from_s = path.at_s[at];
     }
     wait_in_ticks(&mut moves);
-    moves
+    Ok(moves)
 }
 
 /// Merges pauses below a tick, the shortest pause of the controller, into later ones.
@@ -174,12 +215,22 @@ fn wait_in_ticks(moves: &mut [FollowMove]) {
     }
 }
 
-/// Divides a straight joint path into as many pieces as necessary.
-fn divided(
+/// A straight joint path, and the time for it.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
     from_deg: [f64; 4],
     to_deg: [f64; 4],
     within_s: f64,
-) -> impl Iterator<Item = FollowMove> {
+}
+
+/// A piece, and the motion of the arm.
+struct Planned {
+    piece: Piece,
+    trajectory: Trajectory,
+}
+
+/// Divides a straight joint path into as many pieces as necessary.
+fn divided(from_deg: [f64; 4], to_deg: [f64; 4], within_s: f64) -> impl Iterator<Item = Piece> {
     let pieces = (within_s / HOLD_S).ceil().max(1.0);
     #[expect(
         clippy::cast_possible_truncation,
@@ -191,36 +242,62 @@ fn divided(
         let share = f64::from(n) / pieces;
         std::array::from_fn(|i| from_deg[i] + (to_deg[i] - from_deg[i]) * share)
     };
-    (1..=count).map(move |n| {
-        let end = if n == count { to_deg } else { at(n) };
-        FollowMove::new(at(n - 1), end, within_s / pieces)
+    (1..=count).map(move |n| Piece {
+        from_deg: at(n - 1),
+        to_deg: if n == count { to_deg } else { at(n) },
+        within_s: within_s / pieces,
     })
 }
 
 /// Divides a pause into as many moves in place as necessary.
 fn waits(before: FollowMove, wait_s: f64) -> impl Iterator<Item = FollowMove> {
     let there = before.to_deg;
-    divided(there, there, wait_s).map(move |step| FollowMove {
-        percent: before.percent,
-        ..step
+    divided(there, there, wait_s).map(move |piece| FollowMove {
+        moves_s: 0.0,
+        pause_s: piece.within_s,
+        ..before
     })
 }
 
-impl FollowMove {
-    fn new(from_deg: [f64; 4], to_deg: [f64; 4], within_s: f64) -> Self {
-        let percent = percent(way_deg(&from_deg, &to_deg), within_s);
-        let [from, to] = [from_deg, to_deg].map(|[a, b, c, d]| Joints::new(a, b, c, d));
-        let speeds = Speeds::STOCK.scaled(percent, ACCELERATION_PERCENT);
-        let planned = JointMove::new(from, to, &speeds).expect("its numbers are finite");
-        let moves_s = planned.duration_s();
-        Self {
+impl Piece {
+    fn percent(&self) -> f64 {
+        percent(way_deg(&self.from_deg, &self.to_deg), self.within_s)
+    }
+
+    /// Plans the motion of an arm with the settings of a model, from the beginning of the piece.
+    fn planned(self, model: &Model) -> Result<Planned, Fault> {
+        let [base, rear, fore, servo] = self.from_deg;
+        let mut arm = model.begun(&speed(self.percent()));
+        arm.place = ArmPlace::at_joints(Joints::new(base, rear, fore, servo), arm.tool);
+        let target = MoveJoints {
+            mode: MovingMode::MovJ,
+            ..MoveJoints::to(self.to_deg.map(single))
+        };
+        let trajectory = arm.trajectory(&target.into());
+        let trajectory = trajectory.map_err(|error| Fault::invalid(error.to_string()))?;
+        Ok(Planned {
+            piece: self,
+            trajectory,
+        })
+    }
+}
+
+impl Planned {
+    fn as_move(&self) -> FollowMove {
+        let Piece {
+            to_deg, within_s, ..
+        } = self.piece;
+        let moves_s = self.trajectory.motion_s().unwrap_or_default();
+        FollowMove {
             to_deg,
-            percent,
+            percent: self.piece.percent(),
             moves_s,
             pause_s: (within_s - moves_s).max(0.0),
         }
     }
+}
 
+impl FollowMove {
     fn takes_s(&self) -> f64 {
         self.moves_s + self.pause_s
     }
@@ -298,14 +375,11 @@ fn target(to: &FollowMove, status: &Status) -> Command {
     .into()
 }
 
-fn summary(wanted: &Wanted, thin: &Thinned, targets: usize, takes_s: f64) -> String {
+/// Returns the result as text, with the largest deviation in degrees and its time in seconds.
+fn summary(wanted: &Wanted, deviation: Option<(f64, f64)>, targets: usize, takes_s: f64) -> String {
     let points = wanted.places.len() - 1;
-    let aside = match thin.farthest {
-        Some(at) => format!(
-            "deviation at most {} rad, at {:.2} s",
-            rad(thin.deviation),
-            wanted.at_s[at]
-        ),
+    let aside = match deviation {
+        Some((deg, at_s)) => format!("deviation at most {} rad, at {at_s:.2} s", rad(deg)),
         None => "without deviation".to_owned(),
     };
     let time = format!(
@@ -321,6 +395,8 @@ const MAX_PERCENT: f64 = 50.0;
 const MIN_PERCENT: f64 = 1.0;
 /// Below the resolution of the arm.
 const STILL_DEG: f64 = 0.01;
+/// A target takes two commands.
+const TARGET_PERIODS: f64 = 2.0;
 /// A shorter pause is part of the motion.
 const HOLD_PERIODS: f64 = 6.0;
 /// A tick of the controller.

@@ -4,7 +4,9 @@ use dobot_model::{LinkFrame, Model};
 use dobot_wire::Status;
 
 use crate::joints::joints_of;
-use crate::messages::{Header, Pose, Quaternion, TfMessage, TransformStamped, Vector3};
+use crate::messages::{
+    Header, Pose, PoseStamped, Quaternion, TfMessage, TransformStamped, Vector3,
+};
 
 /// The frame names of this arm: the links of its description, prefixed with the namespace if there
 /// is one.
@@ -52,6 +54,19 @@ impl Frames {
         let wanted = frames.filter(|frame| frame.is_fixed == fixed);
         TfMessage {
             transforms: wanted.map(|wanted| self.transform(&wanted)).collect(),
+        }
+    }
+
+    /// Returns the pose of the frame `tool` in the base frame.
+    pub(crate) fn pose(&self, status: &Status) -> PoseStamped {
+        let [x, y, z] = [status.x_mm, status.y_mm, status.z_mm].map(|mm| metres(f64::from(mm)));
+        let turn_rad = f64::from(status.rotation_deg).to_radians();
+        PoseStamped {
+            header: Header::now(self.of("base")),
+            pose: Pose {
+                position: Vector3 { x, y, z },
+                orientation: turned([0.0, 0.0, 1.0], turn_rad),
+            },
         }
     }
 
@@ -108,6 +123,27 @@ mod tests {
             ("tool", "tip")
         );
         assert!((tip.transform.position.z + 0.062).abs() < 1e-12, "{tip:?}");
+    }
+
+    #[test]
+    fn the_pose_is_that_of_the_status_in_metres() {
+        let status = Status {
+            x_mm: 220.0,
+            y_mm: -50.0,
+            z_mm: 60.0,
+            rotation_deg: 180.0,
+            ..Status::AT_ZERO
+        };
+        let found = Frames::new("/desk_3").pose(&status);
+        assert_eq!(found.header.frame_id, "desk_3/base");
+        let Vector3 { x, y, z } = found.pose.position;
+        let near = |found: f64, expected: f64| (found - expected).abs() < 1e-9;
+        assert!(
+            near(x, 0.22) && near(y, -0.05) && near(z, 0.06),
+            "{x} {y} {z}"
+        );
+        let turn = &found.pose.orientation;
+        assert!(near(turn.z, 1.0) && near(turn.w, 0.0), "{turn:?}");
     }
 
     #[test]

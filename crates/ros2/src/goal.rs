@@ -120,6 +120,30 @@ impl Wanted {
         let share = (time_s - begin) / (end - begin);
         std::array::from_fn(|i| from[i] + (to[i] - from[i]) * share)
     }
+
+    /// Returns the same path with more points: none takes longer than a time, in seconds.
+    pub(crate) fn divided(&self, longest_s: f64) -> Self {
+        let (mut places, mut at_s) = (vec![self.places[0]], vec![self.at_s[0]]);
+        for (ends, times) in self.places.windows(2).zip(self.at_s.windows(2)) {
+            let takes_s = times[1] - times[0];
+            let pieces = (takes_s / longest_s).ceil().max(1.0);
+            let mut n = 1.0;
+            while n < pieces {
+                let share = n / pieces;
+                let place = std::array::from_fn(|i| ends[0][i] + (ends[1][i] - ends[0][i]) * share);
+                places.push(place);
+                at_s.push(times[0] + takes_s * share);
+                n += 1.0;
+            }
+            places.push(ends[1]);
+            at_s.push(times[1]);
+        }
+        Self {
+            places,
+            at_s,
+            ..self.clone()
+        }
+    }
 }
 
 /// Returns the index of each named joint.

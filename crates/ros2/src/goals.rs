@@ -1,44 +1,71 @@
-//! The action `follow_joint_trajectory`: its goals, results and cancellations.
+//! Action servers: goals, results and cancellations.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use dobot_api::State;
-use futures_util::FutureExt;
+use ros2_client::Message;
 use ros2_client::action::{
     AsyncActionServer, CancelHandle, ExecutingGoalHandle, GoalEndStatus, GoalId, NewGoalHandle,
 };
-use ros2_client::builtin_interfaces::Time;
 use tokio::sync::{mpsc, watch};
 use tokio::time::timeout;
 
-use crate::actions::{Followed, Stand, ended, follow, take_at_rest};
-use crate::follow_plan::FollowPlan;
-use crate::goal::{Fault, Wanted};
-use crate::joints::{JOINTS, degrees_of};
+use crate::actions::ended;
 use crate::log::Log;
-use crate::messages::{
-    FollowFeedback, FollowGoal, FollowResult, Header, JointTrajectoryPoint, MultiDofPoint,
-};
-use crate::station::Station;
 
-/// The server of the action.
-pub(crate) type Server = AsyncActionServer<FollowGoal, FollowResult, FollowFeedback>;
+/// What an action does with a goal.
+pub(crate) trait Action: Send + Sync + Sized + 'static {
+    type Goal: Message + Clone + Send + Sync + 'static;
+    type Result: Message + Clone + Send + Sync + 'static;
+    type Feedback: Message + Send + Sync + 'static;
+    /// Its name for people.
+    const NAME: &str;
 
-/// Runs trajectories, one at a time: others do not get control.
-pub(crate) struct Goals {
-    pub(crate) server: Server,
-    pub(crate) station: Station,
-    pub(crate) log: Arc<Log>,
-    pub(crate) deviation_deg: f64,
-    /// The channels that cancel the running goals.
-    pub(crate) running: Mutex<BTreeMap<GoalId, watch::Sender<bool>>>,
-    /// Result requests are received one after the other.
-    pub(crate) results: tokio::sync::Mutex<()>,
+    /// Carries out a goal until it is done or cancelled.
+    fn carry_out(
+        &self,
+        goal: &Self::Goal,
+        executing: &ExecutingGoalHandle<Self::Goal>,
+        server: &Server<Self>,
+        cancelled: watch::Receiver<bool>,
+    ) -> impl Future<Output = Outcome<Self::Result>> + Send;
 }
 
-impl Goals {
+/// The server of an action.
+pub(crate) type Server<A> =
+    AsyncActionServer<<A as Action>::Goal, <A as Action>::Result, <A as Action>::Feedback>;
+
+/// The end of a goal.
+pub(crate) struct Outcome<R> {
+    pub(crate) status: GoalEndStatus,
+    pub(crate) result: R,
+    /// The message for the log.
+    pub(crate) text: Result<String, String>,
+}
+
+/// Carries out the goals of an action, one at a time: others do not get control.
+pub(crate) struct Goals<A: Action> {
+    action: A,
+    server: Server<A>,
+    log: Arc<Log>,
+    /// The channels that cancel the running goals.
+    running: Mutex<BTreeMap<GoalId, watch::Sender<bool>>>,
+    /// Result requests are received one after the other.
+    results: tokio::sync::Mutex<()>,
+}
+
+impl<A: Action> Goals<A> {
+    pub(crate) fn new(action: A, server: Server<A>, log: Arc<Log>) -> Arc<Self> {
+        Arc::new(Self {
+            action,
+            server,
+            log,
+            running: Mutex::default(),
+            results: tokio::sync::Mutex::default(),
+        })
+    }
+
     /// Accepts goals until the shutdown; then all of them are cancelled.
     pub(crate) async fn run(
         self: Arc<Self>,
@@ -88,13 +115,13 @@ impl Goals {
 
     /// Accepts a goal. An invalid goal is accepted too and aborted immediately, since a rejection
     /// has no text.
-    async fn take(&self, new: NewGoalHandle<FollowGoal>) {
+    async fn take(&self, new: NewGoalHandle<A::Goal>) {
         let Some(goal) = self.server.get_new_goal(new.clone()) else {
             return;
         };
         let id = new.goal_id();
         let cancel = watch::Sender::new(false);
-        let mut cancelled = cancel.subscribe();
+        let cancelled = cancel.subscribe();
         self.running().insert(id, cancel);
         let executing = async {
             let accepted = self.server.accept_goal(new).await?;
@@ -102,90 +129,38 @@ impl Goals {
         };
         match executing.await {
             Ok(executing) => {
-                let followed = self.follow(&goal, &executing, &mut cancelled).await;
-                self.answer(executing, followed).await;
+                let carried_out = self
+                    .action
+                    .carry_out(&goal, &executing, &self.server, cancelled);
+                let outcome = carried_out.await;
+                self.answer(executing, outcome).await;
             }
             Err(error) => self.log.warn(&format!("cannot accept a goal: {error:?}")),
         }
         self.running().remove(&id);
     }
 
-    async fn follow(
-        &self,
-        goal: &FollowGoal,
-        executing: &ExecutingGoalHandle<FollowGoal>,
-        cancelled: &mut watch::Receiver<bool>,
-    ) -> Result<Followed, Fault> {
-        let mut station = self
-            .station
-            .connect("trajectory")
-            .await
-            .map_err(Fault::invalid)?;
-        let stand = take_at_rest(&mut station).await.map_err(Fault::invalid)?;
-        let Stand { status, period } = stand;
-        let wanted = Wanted::new(goal, degrees_of(&status), Time::now())?;
-        let plan = FollowPlan::new(&wanted, &status, period, self.deviation_deg)?;
-        self.log
-            .info(&format!("follow_joint_trajectory: {}", plan.summary));
-        let see = |state: &State, at_s: f64| {
-            if let Some(arm) = &state.arm {
-                let feedback = feedback(&wanted, degrees_of(&arm.status), at_s);
-                // Not awaited: a lost feedback is followed by the next one.
-                let _ = self
-                    .server
-                    .publish_feedback(executing.clone(), feedback)
-                    .now_or_never();
-            }
-        };
-        follow(&mut station, &wanted, plan, cancelled, see).await
-    }
-
     /// Sends the result to a client that requests it within a timeout.
-    async fn answer(
-        &self,
-        executing: ExecutingGoalHandle<FollowGoal>,
-        followed: Result<Followed, Fault>,
-    ) {
-        let (status, result) = match followed {
-            Ok(Followed::Done(text)) => (GoalEndStatus::Succeeded, Ok(text)),
-            Ok(Followed::Held(text)) => (GoalEndStatus::Canceled, Ok(text)),
-            Err(fault) => (GoalEndStatus::Aborted, Err(fault)),
-        };
-        let text = result.clone().map_err(|error| error.text);
-        self.log.outcome("follow_joint_trajectory", &text);
+    async fn answer(&self, executing: ExecutingGoalHandle<A::Goal>, outcome: Outcome<A::Result>) {
+        let Outcome {
+            status,
+            result,
+            text,
+        } = outcome;
+        self.log.outcome(A::NAME, &text);
         let _one = self.results.lock().await;
-        let sent = self
-            .server
-            .send_result_response(executing, status, result.into());
+        let sent = self.server.send_result_response(executing, status, result);
         match timeout(ASKED, sent).await {
             Ok(Ok(())) => {}
             Ok(Err(error)) => self.log.warn(&format!("cannot send a result: {error:?}")),
             Err(_) => self
                 .log
-                .warn("no client requested the result of a trajectory"),
+                .warn(&format!("no client requested the result of {}", A::NAME)),
         }
     }
 
     fn running(&self) -> std::sync::MutexGuard<'_, BTreeMap<GoalId, watch::Sender<bool>>> {
         self.running.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-}
-
-/// Returns the desired and actual positions of the joints at a time.
-fn feedback(wanted: &Wanted, actual_deg: [f64; 4], at_s: f64) -> FollowFeedback {
-    let desired_deg = wanted.at(at_s);
-    let error_deg: [f64; 4] = std::array::from_fn(|joint| desired_deg[joint] - actual_deg[joint]);
-    let point = |deg: [f64; 4]| JointTrajectoryPoint::at(deg.map(f64::to_radians), at_s);
-    FollowFeedback {
-        header: Header::now(""),
-        joint_names: JOINTS.map(str::to_owned).to_vec(),
-        desired: point(desired_deg),
-        actual: point(actual_deg),
-        error: point(error_deg),
-        multi_dof_joint_names: Vec::new(),
-        multi_dof_desired: MultiDofPoint::empty(),
-        multi_dof_actual: MultiDofPoint::empty(),
-        multi_dof_error: MultiDofPoint::empty(),
     }
 }
 

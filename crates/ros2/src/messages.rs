@@ -197,6 +197,23 @@ messages! {
         multi_dof_error: MultiDofPoint,
     }
 
+    /// The goal of `control_msgs/ParallelGripperCommand`
+    GripperGoal {
+        command: JointState,
+    }
+
+    /// The result of `control_msgs/ParallelGripperCommand`
+    GripperResult {
+        state: JointState,
+        stalled: bool,
+        reached_goal: bool,
+    }
+
+    /// The feedback of `control_msgs/ParallelGripperCommand`
+    GripperFeedback {
+        state: JointState,
+    }
+
     /// The request of `std_srvs/Trigger`; an empty message is serialised as one byte
     TriggerRequest {
         structure_needs_at_least_one_member: u8,

@@ -10,15 +10,26 @@ use ros2_client::{
     NodeOptions, Publisher, QosProfile, Server, ServiceMapping, ServiceTypeName, Subscription,
 };
 
+use ros2_client::rcl_interfaces::{
+    DescribeParametersRequest, DescribeParametersResponse, GetParameterTypesRequest,
+    GetParameterTypesResponse, GetParametersRequest, GetParametersResponse, ListParametersRequest,
+    ListParametersResponse, SetParametersAtomicallyResponse, SetParametersRequest,
+    SetParametersResponse,
+};
+
+use crate::follow_action::FollowAction;
+use crate::goals;
+use crate::gripper_action::GripperAction;
 use crate::messages::{
-    Answer, DiagnosticArray, FollowFeedback, FollowGoal, FollowResult, JointJog, JointState,
-    PoseStamped, SetBoolRequest, TfMessage, TriggerRequest, TwistStamped,
+    Answer, DiagnosticArray, JointJog, JointState, PoseStamped, SetBoolRequest, TfMessage,
+    TriggerRequest, TwistStamped,
 };
 use crate::settings::{NODE, Settings};
 
 /// The publishers.
 pub(crate) struct Publishers {
     pub(crate) joint_states: Publisher<JointState>,
+    pub(crate) pose: Publisher<PoseStamped>,
     pub(crate) tf: Publisher<TfMessage>,
     pub(crate) tf_static: Publisher<TfMessage>,
     pub(crate) diagnostics: Publisher<DiagnosticArray>,
@@ -37,7 +48,19 @@ pub(crate) struct Servers {
     pub(crate) stop: Server<TriggerRequest, Answer>,
     pub(crate) suction: Server<SetBoolRequest, Answer>,
     pub(crate) gripper: Server<SetBoolRequest, Answer>,
-    pub(crate) follow: AsyncActionServer<FollowGoal, FollowResult, FollowFeedback>,
+    pub(crate) follow: goals::Server<FollowAction>,
+    pub(crate) gripper_command: goals::Server<GripperAction>,
+    pub(crate) parameters: ParameterServers,
+}
+
+/// The servers of the parameters.
+pub(crate) struct ParameterServers {
+    pub(crate) list: Server<ListParametersRequest, ListParametersResponse>,
+    pub(crate) get: Server<GetParametersRequest, GetParametersResponse>,
+    pub(crate) types: Server<GetParameterTypesRequest, GetParameterTypesResponse>,
+    pub(crate) describe: Server<DescribeParametersRequest, DescribeParametersResponse>,
+    pub(crate) set: Server<SetParametersRequest, SetParametersResponse>,
+    pub(crate) set_atomically: Server<SetParametersRequest, SetParametersAtomicallyResponse>,
 }
 
 /// The error returned when the node cannot be created.
@@ -79,6 +102,12 @@ impl Publishers {
                 node,
                 &names.own("joint_states"),
                 ("sensor_msgs", "JointState"),
+                &latest,
+            )?,
+            pose: publisher(
+                node,
+                &names.private("pose"),
+                ("geometry_msgs", "PoseStamped"),
                 &latest,
             )?,
             tf: publisher(
@@ -132,29 +161,73 @@ impl Servers {
         names: Names<'_>,
         mapping: ServiceMapping,
     ) -> Result<Self, NodeError> {
-        let qos = reliable(10);
-        let follow = node.create_action_server(
-            mapping,
-            &names.private("follow_joint_trajectory"),
-            &ActionTypeName::new("control_msgs", "FollowJointTrajectory"),
-            ActionServerQosPolicies {
-                goal_service: qos.clone(),
-                result_service: qos.clone(),
-                cancel_service: qos.clone(),
-                feedback_publisher: qos,
-                status_publisher: reliable(1).durability(Durability::TransientLocal),
-            },
-        )?;
+        let (follow, gripper_command) = (
+            names.private("follow_joint_trajectory"),
+            names.private("gripper_command"),
+        );
         let (stop, suction, gripper) = (
             names.private("stop"),
             names.private("suction"),
             names.private("gripper"),
         );
         Ok(Self {
-            stop: server(node, mapping, &stop, "Trigger")?,
-            suction: server(node, mapping, &suction, "SetBool")?,
-            gripper: server(node, mapping, &gripper, "SetBool")?,
-            follow: AsyncActionServer::new(follow),
+            follow: action_server::<FollowAction>(node, mapping, &follow, "FollowJointTrajectory")?,
+            gripper_command: action_server::<GripperAction>(
+                node,
+                mapping,
+                &gripper_command,
+                "ParallelGripperCommand",
+            )?,
+            stop: server(node, mapping, &stop, ("std_srvs", "Trigger"))?,
+            suction: server(node, mapping, &suction, ("std_srvs", "SetBool"))?,
+            gripper: server(node, mapping, &gripper, ("std_srvs", "SetBool"))?,
+            parameters: ParameterServers::new(node, names, mapping)?,
+        })
+    }
+}
+
+impl ParameterServers {
+    /// Those of `ros2-client` have the format of Fast DDS only.
+    fn new(node: &mut Node, names: Names<'_>, mapping: ServiceMapping) -> Result<Self, NodeError> {
+        let named = |name| names.private(name);
+        let kind = |name| ("rcl_interfaces", name);
+        Ok(Self {
+            list: server(
+                node,
+                mapping,
+                &named("list_parameters"),
+                kind("ListParameters"),
+            )?,
+            get: server(
+                node,
+                mapping,
+                &named("get_parameters"),
+                kind("GetParameters"),
+            )?,
+            types: server(
+                node,
+                mapping,
+                &named("get_parameter_types"),
+                kind("GetParameterTypes"),
+            )?,
+            describe: server(
+                node,
+                mapping,
+                &named("describe_parameters"),
+                kind("DescribeParameters"),
+            )?,
+            set: server(
+                node,
+                mapping,
+                &named("set_parameters"),
+                kind("SetParameters"),
+            )?,
+            set_atomically: server(
+                node,
+                mapping,
+                &named("set_parameters_atomically"),
+                kind("SetParametersAtomically"),
+            )?,
         })
     }
 }
@@ -179,15 +252,37 @@ fn listener<M: Message + 'static>(
     Ok(node.create_subscription(&topic, None)?)
 }
 
-fn server<Q: Message + Clone + 'static>(
+fn server<Q: Message + Clone + 'static, A: Message + Clone + 'static>(
+    node: &mut Node,
+    mapping: ServiceMapping,
+    name: &Name,
+    (package, kind): (&str, &str),
+) -> Result<Server<Q, A>, NodeError> {
+    let kind = ServiceTypeName::new(package, kind);
+    let qos = reliable(10);
+    Ok(node.create_server(mapping, name, &kind, qos.clone(), qos)?)
+}
+
+fn action_server<A: goals::Action>(
     node: &mut Node,
     mapping: ServiceMapping,
     name: &Name,
     kind: &str,
-) -> Result<Server<Q, Answer>, NodeError> {
-    let kind = ServiceTypeName::new("std_srvs", kind);
+) -> Result<goals::Server<A>, NodeError> {
     let qos = reliable(10);
-    Ok(node.create_server(mapping, name, &kind, qos.clone(), qos)?)
+    let server = node.create_action_server(
+        mapping,
+        name,
+        &ActionTypeName::new("control_msgs", kind),
+        ActionServerQosPolicies {
+            goal_service: qos.clone(),
+            result_service: qos.clone(),
+            cancel_service: qos.clone(),
+            feedback_publisher: qos,
+            status_publisher: reliable(1).durability(Durability::TransientLocal),
+        },
+    )?;
+    Ok(AsyncActionServer::new(server))
 }
 
 /// Repeated messages must not wait for slow readers.

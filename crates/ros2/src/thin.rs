@@ -10,10 +10,10 @@ use dobot_geometry::distance_from_chord;
 pub struct Thinned {
     /// The indices of the remaining points, in order, including the first and the last.
     pub kept: Vec<usize>,
-    /// The maximum distance of the original points from the simplified path, in the unit of the
-    /// coordinates.
+    /// The maximum distance between the original path and that of the arm along the simplified one, in
+    /// the unit of the coordinates.
     pub deviation: f64,
-    /// The index of the point with that distance, if any.
+    /// The index of the point with that distance, or of the end of the segment that bows so far.
     pub farthest: Option<usize>,
 }
 
@@ -21,7 +21,10 @@ pub struct Thinned {
 /// that stays within the tolerance. At least one segment remains, and all `corners`, given by
 /// index, are kept.
 ///
-/// The point farthest from its chord is added first (Ramer, Douglas and Peucker), so that the
+/// `bow` returns how far the arm leaves the straight line between two points, given by index; it is
+/// added to the distance of the points between them.
+///
+/// The segment with the largest deviation is divided first (Ramer, Douglas and Peucker), so that the
 /// available segments are used where they help most. The distance combines all coordinates; no
 /// single one is farther off.
 ///
@@ -29,7 +32,7 @@ pub struct Thinned {
 /// use dobot_ros2::thinned;
 ///
 /// let corner = [[0.0, 0.0], [5.0, 0.1], [10.0, 0.0], [10.0, 5.0], [10.0, 10.0]];
-/// let thin = thinned(&corner, &[], 0.5, 10);
+/// let thin = thinned(&corner, &[], 0.5, 10, |_, _| 0.0);
 /// assert_eq!((thin.kept, thin.farthest), (vec![0, 2, 4], Some(1)));
 /// assert!((thin.deviation - 0.1).abs() < 1e-12);
 /// ```
@@ -39,6 +42,7 @@ pub fn thinned<const N: usize>(
     corners: &[usize],
     tolerance: f64,
     most: usize,
+    bow: impl Fn(usize, usize) -> f64,
 ) -> Thinned {
     let last = places.len().saturating_sub(1);
     let mut kept: Vec<usize> = [0, last]
@@ -48,52 +52,52 @@ pub fn thinned<const N: usize>(
     kept.retain(|index| *index < places.len());
     kept.sort_unstable();
     kept.dedup();
+    let span = |from, to| Span::new(places, from, to, bow(from, to));
     let pieces = kept.windows(2);
-    let mut spans: BinaryHeap<Span> = pieces
-        .filter_map(|ends| Span::new(places, ends[0], ends[1]))
-        .collect();
+    let mut spans: BinaryHeap<Span> = pieces.map(|ends| span(ends[0], ends[1])).collect();
     while let Some(worst) = spans.peek()
+        && let Some(at) = worst.at
         && worst.distance > tolerance
         && kept.len() <= most
     {
-        let Span { from, at, to, .. } = *worst;
+        let Span { from, to, .. } = *worst;
         spans.pop();
         kept.push(at);
-        let halves = [(from, at), (at, to)];
-        spans.extend(
-            halves
-                .into_iter()
-                .filter_map(|(a, b)| Span::new(places, a, b)),
-        );
+        spans.extend([span(from, at), span(at, to)]);
     }
     kept.sort_unstable();
-    let worst = spans.peek();
+    let worst = spans.peek().filter(|worst| worst.distance > 0.0);
     Thinned {
         kept,
         deviation: worst.map_or(0.0, |worst| worst.distance),
-        farthest: worst.map(|worst| worst.at),
+        farthest: worst.map(|worst| worst.at.unwrap_or(worst.to)),
     }
 }
 
-/// A chord, and the point between its ends that is farthest from it.
+/// A segment, and where it is divided if it deviates too far.
 #[derive(Clone, Copy, Debug)]
 struct Span {
     from: usize,
     to: usize,
-    at: usize,
+    /// A point between its ends, if there is one.
+    at: Option<usize>,
     distance: f64,
 }
 
 impl Span {
-    /// Returns `None` if nothing lies between the ends.
-    fn new<const N: usize>(places: &[[f64; N]], from: usize, to: usize) -> Option<Self> {
-        let between = (from + 1..to).map(|at| Self {
+    /// It is divided at the point farthest from the straight line, or in the middle if the bow is
+    /// larger.
+    fn new<const N: usize>(places: &[[f64; N]], from: usize, to: usize, bow: f64) -> Self {
+        let off = |at: usize| distance_from_chord(places[at], places[from], places[to]);
+        let farthest = (from + 1..to).max_by(|a, b| off(*a).total_cmp(&off(*b)));
+        let apart = farthest.map_or(0.0, off);
+        let middle = (to - from > 1).then_some(usize::midpoint(from, to));
+        Self {
             from,
             to,
-            at,
-            distance: distance_from_chord(places[at], places[from], places[to]),
-        });
-        between.max_by(Self::cmp)
+            at: if apart < bow { middle } else { farthest },
+            distance: apart + bow,
+        }
     }
 }
 
@@ -141,7 +145,7 @@ mod tests {
         fn no_point_of_the_whole_path_deviates_more_than_reported(
             places in places(), tolerance in 0.0..90.0_f64, most in 0_usize..30,
         ) {
-            let thin = thinned(&places, &[], tolerance, most);
+            let thin = thinned(&places, &[], tolerance, most, |_, _| 0.0);
             let way: Vec<[f64; 4]> = thin.kept.iter().map(|index| places[*index]).collect();
             // Also between the points, on the straight segments.
             for ends in places.windows(2) {
@@ -157,7 +161,7 @@ mod tests {
         fn both_ends_stay_and_there_are_never_more_pieces_than_allowed(
             places in places(), tolerance in 0.0..90.0_f64, most in 0_usize..30,
         ) {
-            let thin = thinned(&places, &[], tolerance, most);
+            let thin = thinned(&places, &[], tolerance, most, |_, _| 0.0);
             prop_assert_eq!(thin.kept.first(), Some(&0));
             prop_assert_eq!(thin.kept.last(), Some(&(places.len() - 1)));
             prop_assert!(thin.kept.len() - 1 <= most.max(1), "{:?}", thin.kept);
@@ -168,7 +172,7 @@ mod tests {
         fn the_tolerance_is_kept_if_enough_pieces_are_allowed(
             places in places(), tolerance in 0.0..90.0_f64,
         ) {
-            let thin = thinned(&places, &[], tolerance, places.len());
+            let thin = thinned(&places, &[], tolerance, places.len(), |_, _| 0.0);
             prop_assert!(thin.deviation <= tolerance, "{}", thin.deviation);
         }
     }
@@ -178,7 +182,7 @@ mod tests {
         let way: Vec<[f64; 2]> = (0..100)
             .map(|n| [f64::from(n), 2.0 * f64::from(n)])
             .collect();
-        let thin = thinned(&way, &[], 0.001, 50);
+        let thin = thinned(&way, &[], 0.001, 50, |_, _| 0.0);
         assert_eq!(thin.kept, [0, 99]);
         assert!(thin.deviation < 1e-9, "{}", thin.deviation);
     }
@@ -186,12 +190,15 @@ mod tests {
     #[test]
     fn corners_stay_even_on_a_straight_path_and_other_points_do_not() {
         let way: Vec<[f64; 1]> = (0..10).map(|n| [f64::from(n)]).collect();
-        assert_eq!(thinned(&way, &[4, 4, 99], 1.0, 1).kept, [0, 4, 9]);
+        assert_eq!(
+            thinned(&way, &[4, 4, 99], 1.0, 1, |_, _| 0.0).kept,
+            [0, 4, 9]
+        );
     }
 
     #[test]
     fn an_empty_path_stays_empty() {
-        assert!(thinned::<4>(&[], &[], 1.0, 5).kept.is_empty());
-        assert_eq!(thinned(&[[1.0]], &[], 1.0, 5).kept, [0]);
+        assert!(thinned::<4>(&[], &[], 1.0, 5, |_, _| 0.0).kept.is_empty());
+        assert_eq!(thinned(&[[1.0]], &[], 1.0, 5, |_, _| 0.0).kept, [0]);
     }
 }

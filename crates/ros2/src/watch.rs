@@ -13,7 +13,7 @@ use tokio::time::{Instant, sleep_until};
 use crate::actions::stop;
 use crate::diagnostics;
 use crate::frames::Frames;
-use crate::joints::joint_state;
+use crate::joints::{Velocities, degrees_of, joint_state};
 use crate::log::Log;
 use crate::node::Publishers;
 use crate::settings::NODE;
@@ -33,6 +33,7 @@ pub(crate) struct Watch {
     pub(crate) policy: Option<Policy>,
     /// The time of the last diagnostics, in seconds since the station started.
     pub(crate) diagnosed_s: Option<f64>,
+    pub(crate) velocities: Velocities,
 }
 
 impl Watch {
@@ -107,10 +108,10 @@ impl Watch {
     fn publish(&mut self, state: &State) {
         if let (Some(arm), LinkPhase::Up) = (&state.arm, state.link.phase) {
             let moving = self.frames.transforms(&self.model, &arm.status, false);
-            let _ = self
-                .publishers
-                .joint_states
-                .publish(joint_state(&arm.status));
+            let velocities = self.velocities.at(state.at_s, degrees_of(&arm.status));
+            let joints = joint_state(&arm.status, velocities);
+            let _ = self.publishers.joint_states.publish(joints);
+            let _ = self.publishers.pose.publish(self.frames.pose(&arm.status));
             let _ = self.publishers.tf.publish(moving);
         }
         let last_s = self.diagnosed_s.unwrap_or(f64::NEG_INFINITY);

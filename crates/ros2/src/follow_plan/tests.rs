@@ -5,8 +5,6 @@ use super::*;
 use crate::goal::tests::goal;
 use crate::messages::JointTolerance;
 
-const PERIOD: Duration = Duration::from_millis(80);
-
 fn status() -> Status {
     Status {
         rear_deg: 45.0,
@@ -23,7 +21,7 @@ fn wanted(points: &[(&[f64], f64)]) -> Wanted {
 }
 
 fn plan(wanted: &Wanted) -> Result<FollowPlan, Fault> {
-    FollowPlan::new(wanted, &status(), PERIOD, 1.0)
+    FollowPlan::new(wanted, &status(), Dialect::SPECIFICATION, 1.0)
 }
 
 fn targets(plan: &FollowPlan) -> Vec<MoveJoints> {
