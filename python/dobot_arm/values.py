@@ -20,8 +20,9 @@ def json_object(values: Mapping[str, object]) -> str:
 
 def _plain(value: object) -> object:
     """Returns a number or an array of numpy as a number or lists."""
-    if hasattr(value, "tolist"):
-        return value.tolist()
+    tolist = getattr(value, "tolist", None)
+    if tolist is not None:
+        return tolist()
     raise TypeError(f"{value!r} is a {type(value).__name__}; allowed are numbers, texts, True, False, lists and dictionaries")
 
 

@@ -6,13 +6,14 @@ use dobot_draw::{
     Colors, DrawingRequest, FORMATS, InkLine, Materials, Options, OptionsError, Picture, Prepared,
     Settings, Subject, View, WITHOUT_ARM_Z_MM,
 };
-use dobot_geometry::Point;
+use dobot_geometry::{CancelToken, Point};
 use dobot_teach::nearest;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use serde_json::{Map, Value};
 
 use crate::failure::{file_error, value_error};
+use crate::pending::interruptible;
 
 /// Returns the supported file formats: the name and the extensions of each.
 #[pyfunction]
@@ -93,9 +94,11 @@ impl Drawing {
             (None, None) => return Err(PyTypeError::new_err("give a file, lines= or text=")),
             (Some(subject), Some(text)) => subject.and(text),
         };
-        py.detach(|| {
+        let cancel = CancelToken::default();
+        interruptible(py, &cancel, || {
             let request = DrawingRequest::new(options, subject, &Materials::built_in());
             let request = request.map_err(|error| refused(&error))?;
+            let request = request.until(cancel.clone());
             let (prepared, settings) = request
                 .prepare(None, WITHOUT_ARM_Z_MM)
                 .map_err(|error| refused(&error))?;
@@ -104,7 +107,7 @@ impl Drawing {
                 prepared,
                 settings,
             })
-        })
+        })?
     }
 
     #[getter]

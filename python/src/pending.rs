@@ -2,9 +2,12 @@
 //! lock.
 
 use std::sync::Arc;
+use std::thread;
 use std::time::Duration;
 
 use dobot_api::{Answer, GivenPlace, Sense};
+use dobot_geometry::CancelToken;
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString, PyTuple};
 
@@ -177,6 +180,27 @@ impl Statuses {
         self.worker
             .ask(Operation::Subscribe(Arc::clone(&self.statuses)))
     }
+}
+
+/// Runs a calculation in another thread without the interpreter's lock, and cancels it on Ctrl-C.
+pub(crate) fn interruptible<T: Send>(
+    py: Python<'_>,
+    cancel: &CancelToken,
+    calculate: impl FnOnce() -> T + Send,
+) -> PyResult<T> {
+    thread::scope(|scope| {
+        let (sender, results) = Mailbox::new();
+        scope.spawn(move || sender.send(calculate()));
+        loop {
+            match py.detach(|| results.receive(SIGNALS)) {
+                Received::Message(result) => return Ok(result),
+                Received::Nothing => py.check_signals().inspect_err(|_| cancel.cancel())?,
+                Received::Closed => {
+                    return Err(PyRuntimeError::new_err("the calculation panicked"));
+                }
+            }
+        }
+    })
 }
 
 /// Calls a Python function from a worker thread, unless the interpreter is shutting down.

@@ -295,7 +295,10 @@ async fn connect(at: Where, name: &str) -> Result<StationClient, Failure> {
             let found = search.find().await.map_err(|error| lost(&error, None))?;
             let address = found.ok_or_else(|| Failure::LinkLost {
                 text: "no station runs on this machine".to_owned(),
-                hint: Some("start one with `dobot up`".to_owned()),
+                hint: Some(
+                    "start one with `dobot up`, or name its data folder in the environment variable DOBOT_DATA"
+                        .to_owned(),
+                ),
             })?;
             Ok(StationClient::connect(&address, name).await?)
         }
