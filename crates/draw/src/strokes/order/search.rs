@@ -377,7 +377,7 @@ struct Step {
 /// The cost of an edge that is a stroke, so that its removal never gains anything.
 pub(super) const STROKE: f32 = f32::NEG_INFINITY;
 /// The number of steps tried after each removed edge.
-const BREADTH: [usize; MAX_EDGES - 1] = [5, 2, 1];
+const BREADTH: [usize; MAX_EDGES - 1] = [5, 3, 1];
 
 const MAX_STEPS: usize = 5;
 /// Every other kick cuts the tour in four places within this window.
