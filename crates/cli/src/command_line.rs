@@ -87,26 +87,30 @@ fn without_far_suggestions(mut error: clap::Error) -> clap::Error {
             ContextKind::InvalidSubcommand,
         ),
     ] {
-        let Some(ContextValue::String(given)) = error.get(given).cloned() else {
+        let (Some(ContextValue::String(given)), Some(suggested)) =
+            (error.get(given), error.get(kind))
+        else {
             continue;
         };
-        let near: Vec<String> = match error.get(kind) {
-            Some(ContextValue::String(one)) => vec![one.clone()],
-            Some(ContextValue::Strings(all)) => all.clone(),
-            _ => continue,
-        };
-        let is_one = matches!(error.get(kind), Some(ContextValue::String(_)));
-        let near: Vec<String> = near
-            .into_iter()
-            .filter(|meant| is_near(&given, meant))
-            .collect();
-        match near.first() {
+        match near_misses(suggested, given) {
             None => drop(error.remove(kind)),
-            Some(one) if is_one => drop(error.insert(kind, ContextValue::String(one.clone()))),
-            Some(_) => drop(error.insert(kind, ContextValue::Strings(near))),
+            Some(near) => drop(error.insert(kind, near)),
         }
     }
     error
+}
+
+/// Returns those of the suggestions that are near misses; `None` if there are none.
+fn near_misses(suggested: &ContextValue, given: &str) -> Option<ContextValue> {
+    match suggested {
+        ContextValue::String(one) => is_near(given, one).then(|| suggested.clone()),
+        ContextValue::Strings(all) => {
+            let near = all.iter().filter(|meant| is_near(given, meant));
+            let near: Vec<String> = near.cloned().collect();
+            (!near.is_empty()).then_some(ContextValue::Strings(near))
+        }
+        _ => Some(suggested.clone()),
+    }
 }
 
 /// Reports whether a word is probably a misspelling of another one, or its beginning.

@@ -107,12 +107,7 @@ impl To {
             ..self.clone()
         };
         let Some(mut station) = to.find_station(verb).await? else {
-            let arm = PlannedFor::any(Rules::of(&self.policy()?).into(), self.dialect);
-            let line = format!(
-                "no station runs: assumed a {} arm that was just switched on",
-                arm.dialect()
-            );
-            return Ok((arm, line));
+            return self.assumed();
         };
         let planned = control::planned_for(&mut station).await;
         station.end().await;
@@ -124,6 +119,16 @@ impl To {
         }
         let line = format!(
             "for the station's {} arm, from its current position",
+            arm.dialect()
+        );
+        Ok((arm, line))
+    }
+
+    /// Returns an arm to plan for while no station runs, and a line that describes it.
+    fn assumed(&self) -> Result<(PlannedFor, String), Failure> {
+        let arm = PlannedFor::any(Rules::of(&self.policy()?).into(), self.dialect);
+        let line = format!(
+            "no station runs: assumed a {} arm that was just switched on",
             arm.dialect()
         );
         Ok((arm, line))
@@ -147,9 +152,7 @@ impl To {
             return Ok(Some(station));
         }
         let state = first_state(&mut station).await?;
-        if let Some(to) = &self.address
-            && !owns(&state, to)
-        {
+        if self.address.as_ref().is_some_and(|to| !owns(&state, to)) {
             return Ok(None);
         }
         self.check_policy()?;

@@ -221,15 +221,17 @@ fn known_hint(cause: &(dyn std::error::Error + 'static)) -> Option<String> {
     if cause.is::<NotBuilt>() {
         return Some(NotBuilt::HINT.into());
     }
+    transport_hint(cause).map(str::to_owned)
+}
+
+fn transport_hint(cause: &(dyn std::error::Error + 'static)) -> Option<&'static str> {
     let link = cause.downcast_ref::<LinkError>();
     let send = match link {
         Some(LinkError::Send(error)) => Some(error),
         _ => cause.downcast_ref::<SendError>(),
     };
-    let hint = send
-        .and_then(send_hint)
-        .or_else(|| link.and_then(link_hint));
-    hint.map(str::to_owned)
+    send.and_then(send_hint)
+        .or_else(|| link.and_then(link_hint))
 }
 
 const fn send_hint(error: &SendError) -> Option<&'static str> {

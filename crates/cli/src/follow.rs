@@ -39,34 +39,40 @@ pub(crate) async fn start_shown(
 ) -> Result<Duration, Failure> {
     let mut is_confirmed = false;
     loop {
-        take_control(station).await?;
-        if is_confirmed {
-            confirm(station, job).await?;
-        }
-        station.request_at_rest(Request::StartJob { job }).await?;
-        if !burns {
-            station.request(Request::ReleaseLease).await?;
-        }
+        begin(station, job, burns, is_confirmed).await?;
         let ended = follow(station, job, bar, &mut see).await?;
         if matches!(ended, End::Paused(_) | End::Interrupted) {
             // The arm finishes its in-flight commands and lifts the tool.
             station.idle().await?;
         }
-        match ended {
+        let why = match ended {
             End::Done => return took(station, job).await,
             End::Over(text) => return Err(anyhow!(text).into()),
-            End::Paused(text) => ask_to_resume(station, (job, burns), &text).await?,
-            End::Interrupted => {
-                let why = if burns {
-                    "interrupted; the laser is off"
-                } else {
-                    "interrupted; the tool is up"
-                };
-                ask_to_resume(station, (job, burns), why).await?;
-            }
-        }
+            End::Paused(text) => text,
+            End::Interrupted if burns => "interrupted; the laser is off".to_owned(),
+            End::Interrupted => "interrupted; the tool is up".to_owned(),
+        };
+        ask_to_resume(station, (job, burns), &why).await?;
         is_confirmed = true;
     }
+}
+
+/// Starts or resumes a job, and keeps control only if it burns.
+async fn begin(
+    station: &mut StationClient,
+    job: u64,
+    burns: bool,
+    is_confirmed: bool,
+) -> Result<(), Failure> {
+    take_control(station).await?;
+    if is_confirmed {
+        confirm(station, job).await?;
+    }
+    station.request_at_rest(Request::StartJob { job }).await?;
+    if !burns {
+        station.request(Request::ReleaseLease).await?;
+    }
+    Ok(())
 }
 
 /// Confirms that a person has done what a paused job waits for, if it waits. The client must have control.

@@ -21,21 +21,22 @@ pub(crate) fn interrupt() -> impl Future<Output = ()> {
         ]
         .map(|kind| signal(kind).map(Mutex::new))
     });
-
-    async fn next(signal: &std::io::Result<Mutex<Signal>>) {
-        match signal {
-            Ok(signal) if signal.lock().await.recv().await.is_some() => {}
-            _ => std::future::pending().await,
-        }
-    }
-
     let [interrupt, terminate, hangup] = &*SIGNALS;
     async move {
         tokio::select! {
-            () = next(interrupt) => {}
-            () = next(terminate) => {}
-            () = next(hangup) => {}
+            () = next_signal(interrupt) => {}
+            () = next_signal(terminate) => {}
+            () = next_signal(hangup) => {}
         }
+    }
+}
+
+/// Waits for a signal; forever if it cannot be received.
+#[cfg(unix)]
+async fn next_signal(signal: &std::io::Result<tokio::sync::Mutex<tokio::signal::unix::Signal>>) {
+    match signal {
+        Ok(signal) if signal.lock().await.recv().await.is_some() => {}
+        _ => std::future::pending().await,
     }
 }
 

@@ -24,7 +24,7 @@ pub(crate) use self::gamepad::PadArgs;
 pub(crate) use self::hold::KeyReports;
 pub(crate) use self::mouse::Mouse;
 pub(crate) use self::paste::{IGNORED, PasteFilter};
-pub(crate) use self::screen::{alarm, answer, held_line, key_line, move_lines};
+pub(crate) use self::screen::{answer, draw_top, key_line, move_lines};
 pub(crate) use self::session::{Panel, run, wait_until};
 pub(crate) use self::terminal::check_terminal;
 

@@ -41,7 +41,7 @@ pub(crate) fn compile_times(
 
 /// Describes a program and its durations in one line.
 pub(crate) fn summary(program: &Compiled, dry_run: &DryRun) -> String {
-    let counts = output::counts(&[
+    let mut parts = vec![output::counts(&[
         (program.steps.len(), "step", "steps"),
         (program.commands.len(), "command", "commands"),
         (
@@ -49,8 +49,7 @@ pub(crate) fn summary(program: &Compiled, dry_run: &DryRun) -> String {
             "pause for a person",
             "pauses for a person",
         ),
-    ]);
-    let mut parts = vec![counts];
+    ])];
     match dry_run.first_s {
         Some(first_s) => parts.push(format!("{} from the current position", clock(first_s))),
         None => parts.push("duration unknown".to_owned()),

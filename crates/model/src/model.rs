@@ -50,18 +50,7 @@ impl Model {
     #[must_use]
     pub fn new(tool: Option<MountedTool>) -> Self {
         let servo_mm = tool.map(|tool| tool.kind().reach().0);
-        let mut parts = vec![
-            part("base", part::base()),
-            part("turret", part::turret()),
-            part("rear_arm", part::rear_arm()),
-            part("rear_rod", part::rear_rod()),
-            part("elbow_plate", part::elbow_plate()),
-            part("forearm", part::forearm()),
-            part("front_rod", part::front_rod()),
-            part("crank", part::crank()),
-            part("crank_rod", part::crank_rod()),
-            part("wrist", part::wrist(servo_mm)),
-        ];
+        let mut parts = stock_parts(servo_mm);
         let mut joints = LINKAGE.to_vec();
         if let Some((tool, x)) = tool.zip(servo_mm) {
             parts.push(part("tool", part::tool(tool)));
@@ -86,6 +75,22 @@ impl Model {
             .iter()
             .filter(move |joint| joint.parent == parent)
     }
+}
+
+/// The parts of the arm without a tool.
+fn stock_parts(servo_mm: Option<f64>) -> Vec<Part> {
+    vec![
+        part("base", part::base()),
+        part("turret", part::turret()),
+        part("rear_arm", part::rear_arm()),
+        part("rear_rod", part::rear_rod()),
+        part("elbow_plate", part::elbow_plate()),
+        part("forearm", part::forearm()),
+        part("front_rod", part::front_rod()),
+        part("crank", part::crank()),
+        part("crank_rod", part::crank_rod()),
+        part("wrist", part::wrist(servo_mm)),
+    ]
 }
 
 fn part(name: &'static str, shapes: Vec<Shape>) -> Part {

@@ -93,11 +93,10 @@ async fn read(
     let mut backoff = Backoff::default();
     let mut first = true;
     while let Ok(len @ 1..) = reader.read(&mut bytes).await {
-        *web |= first && is_web(&bytes[..len]);
+        *web |= std::mem::take(&mut first) && is_web(&bytes[..len]);
         if *web {
             return;
         }
-        first = false;
         let before = decoder.counts().skipped_bytes;
         for packet in decoder.feed(&bytes[..len]) {
             if ahead.send(packet).await.is_err() {
@@ -129,13 +128,12 @@ async fn serve(
         }
         backoff.handle_bytes(opened.elapsed(), PACKET_LEN as u64);
         let wakeup = opened + backoff.poll_wakeup();
-        if wakeup <= Instant::now() {
-            continue;
-        }
-        tokio::select! {
-            biased;
-            () = left.notified() => return,
-            () = sleep_until(wakeup) => {}
+        if wakeup > Instant::now() {
+            tokio::select! {
+                biased;
+                () = left.notified() => return,
+                () = sleep_until(wakeup) => {}
+            }
         }
     }
 }

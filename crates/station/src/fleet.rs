@@ -284,16 +284,8 @@ fn ending() -> Problem {
 
 /// Returns the recipients.
 fn chosen(members: &[Arc<Member>], to: &Recipients) -> Result<Vec<Arc<Member>>, Problem> {
-    let none = |detail| {
-        let hint = "`GET /api/v1/fleet` lists all known stations";
-        NO_SUCH_MEMBER.hinted(detail, hint)
-    };
     if let Recipients::Members(names) = to {
-        let is_unknown = |name: &&String| members.iter().all(|member| member.name != **name);
-        if let Some(name) = names.iter().find(is_unknown) {
-            let name: String = name.chars().take(40).collect();
-            return Err(none(format!("no station with the name {name:?} is known")));
-        }
+        check_known(members, names)?;
     }
     let chosen: Vec<_> = members
         .iter()
@@ -301,13 +293,32 @@ fn chosen(members: &[Arc<Member>], to: &Recipients) -> Result<Vec<Arc<Member>>, 
         .cloned()
         .collect();
     if chosen.is_empty() {
-        return Err(none(match to {
+        return Err(no_such_member(match to {
             Recipients::Group(group) => {
-                let group: String = group.chars().take(40).collect();
-                format!("no station belongs to the group {group:?}")
+                format!("no station belongs to the group {:?}", shortened(group))
             }
             _ => "no station is given".to_owned(),
         }));
     }
     Ok(chosen)
+}
+
+fn check_known(members: &[Arc<Member>], names: &[String]) -> Result<(), Problem> {
+    let is_unknown = |name: &&String| members.iter().all(|member| member.name != **name);
+    let Some(name) = names.iter().find(is_unknown) else {
+        return Ok(());
+    };
+    let name = shortened(name);
+    Err(no_such_member(format!(
+        "no station with the name {name:?} is known"
+    )))
+}
+
+fn no_such_member(detail: String) -> Problem {
+    NO_SUCH_MEMBER.hinted(detail, "`GET /api/v1/fleet` lists all known stations")
+}
+
+/// Shortens a name for a message.
+fn shortened(name: &str) -> String {
+    name.chars().take(40).collect()
 }

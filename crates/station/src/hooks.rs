@@ -21,7 +21,7 @@ use tokio::sync::{broadcast, mpsc};
 
 pub use self::config::HooksError;
 pub(crate) use self::config::{Action, Hook, read};
-use self::event::{Event, event};
+use self::event::{Event, EventKind, event};
 
 /// Starts the thread of the hooks; it ends with the station. No thread without hooks.
 ///
@@ -52,13 +52,8 @@ async fn follow(
     page: &str,
     retries: &'static [Duration],
 ) {
-    let queue = |hook: Hook| {
-        let (queue, events) = mpsc::channel(QUEUE);
-        let (on, label) = (hook.on.clone(), hook.label());
-        tokio::spawn(deliver(hook, events, handle.clone(), retries));
-        (on, label, queue)
-    };
-    let hooks: Vec<_> = hooks.into_iter().map(queue).collect();
+    let hooks = hooks.into_iter();
+    let hooks: Vec<_> = hooks.map(|hook| queue(hook, handle, retries)).collect();
     loop {
         let notice = match notices.recv().await {
             Ok(notice) => notice,
@@ -72,13 +67,33 @@ async fn follow(
         let Some(event) = of_notice(&notice, handle, page).await else {
             continue;
         };
-        for (on, label, queue) in &hooks {
-            if on.contains(&event.kind) && queue.try_send(event.clone()).is_err() {
-                let name = event.kind.name();
-                handle.try_report_trouble(format!(
-                    "{label} does not receive {name}: {QUEUE} events wait for it already"
-                ));
-            }
+        offer(&hooks, &event, handle);
+    }
+}
+
+/// The events that a hook receives, its label, and its queue.
+struct QueuedHook {
+    on: Vec<EventKind>,
+    label: String,
+    queue: mpsc::Sender<Event>,
+}
+
+/// Starts the task of a hook.
+fn queue(hook: Hook, handle: &StationHandle, retries: &'static [Duration]) -> QueuedHook {
+    let (queue, events) = mpsc::channel(QUEUE);
+    let (on, label) = (hook.on.clone(), hook.label());
+    tokio::spawn(deliver(hook, events, handle.clone(), retries));
+    QueuedHook { on, label, queue }
+}
+
+/// Queues an event for all hooks that receive it.
+fn offer(hooks: &[QueuedHook], event: &Event, handle: &StationHandle) {
+    for QueuedHook { on, label, queue } in hooks {
+        if on.contains(&event.kind) && queue.try_send(event.clone()).is_err() {
+            let name = event.kind.name();
+            handle.try_report_trouble(format!(
+                "{label} does not receive {name}: {QUEUE} events wait for it already"
+            ));
         }
     }
 }

@@ -25,23 +25,30 @@ pub(crate) fn draw(frame: &mut Frame, pendant: &Pendant) {
         Constraint::Length(2),
     ];
     let [top, alarm_row, arm, rest, keys, bottom] = Layout::vertical(rows).areas(frame.area());
-    frame.render_widget(held_line(pendant), top);
-    frame.render_widget(alarm(pendant), alarm_row);
+    draw_top(frame, pendant, [top, alarm_row, arm]);
     if let Some(state) = &pendant.state {
-        panels::arm(frame, arm, state);
         panels::rest(frame, rest, state);
     }
     keys_of(frame, keys, pendant);
     frame.render_widget(answer(pendant), bottom);
 }
 
+/// Draws the first rows of each screen with a pendant: the held button, the alarm, the arm.
+pub(crate) fn draw_top(frame: &mut Frame, pendant: &Pendant, [held, alarm_row, arm]: [Rect; 3]) {
+    frame.render_widget(held_line(pendant), held);
+    frame.render_widget(alarm(pendant), alarm_row);
+    if let Some(state) = &pendant.state {
+        panels::arm(frame, arm, state);
+    }
+}
+
 /// The alarm line.
-pub(crate) fn alarm(pendant: &Pendant) -> Paragraph<'static> {
+fn alarm(pendant: &Pendant) -> Paragraph<'static> {
     bar(&alarm_of_state(pendant.state.as_ref()))
 }
 
 /// The held button and its speed.
-pub(crate) fn held_line(pendant: &Pendant) -> Paragraph<'static> {
+fn held_line(pendant: &Pendant) -> Paragraph<'static> {
     let (name, unit) = match pendant.drive {
         Drive::Jog => (" jog ", "% of the jog speed"),
         Drive::Mouse(_) => (" mouse ", "% of the increment"),

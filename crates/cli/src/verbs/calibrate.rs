@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use anyhow::{Context, anyhow, bail};
-use dobot_api::{CalibrationFile, Request, Zeros};
+use dobot_api::{ArmView, CalibrationFile, Request, Zeros};
 use dobot_calibrate::{BarError, Sheet, read_calibration, write_calibration};
 use dobot_host::StationClient;
 use dobot_wire::{MoveJoints, MovingMode, Status};
@@ -254,12 +254,7 @@ async fn send_angles(station: &mut StationClient, to: &To) -> Result<(), Failure
     check_pose(station, to.pose_confirmed).await?;
     take_control(station).await?;
     let (arm, _) = control::arm(station).await?;
-    if arm.raw.is_none() {
-        return Err(Failure::new(
-            anyhow!("the arm is not calibrated, so that its calibrated angles are unknown"),
-            "calibrate it with `dobot calibrate ARM.toml`",
-        ));
-    }
+    check_calibrated(&arm)?;
     let Status {
         rear_deg,
         fore_deg,
@@ -276,6 +271,16 @@ async fn send_angles(station: &mut StationClient, to: &To) -> Result<(), Failure
     Ok(output::line(
         "the arm has its calibrated angles until it is switched off; look at it, then run `dobot confirm`",
     )?)
+}
+
+fn check_calibrated(arm: &ArmView) -> Result<(), Failure> {
+    if arm.raw.is_some() {
+        return Ok(());
+    }
+    Err(Failure::new(
+        anyhow!("the arm is not calibrated, so that its calibrated angles are unknown"),
+        "calibrate it with `dobot calibrate ARM.toml`",
+    ))
 }
 
 /// Reads a calibration from a file that must exist.

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use anyhow::anyhow;
-use dobot_host::dry_run_program;
-use dobot_teach::Program;
+use dobot_host::{DryRun, dry_run_program};
+use dobot_teach::{Compiled, Program};
 use serde_json::json;
 
 use crate::connect::To;
@@ -48,23 +48,27 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let (program, _) = program_file::compile_times(file, &program, None, &arm)?;
     let mut files = program_file::files_beside(file, &arm);
     let (compiled, report) = dry_run_program(&program, &arm, &mut files)?;
-    if args.json {
-        output::json(&json!({
-            "arm": arm_line,
-            "title": compiled.title,
-            "commands": compiled.commands.len(),
-            "steps": compiled.steps.len(),
-            "report": report,
-        }))?;
-    } else {
-        let problems = report.problems.iter().map(ToString::to_string);
-        let summary = program_file::summary(&compiled, &report);
-        problems
-            .chain([summary, arm_line])
-            .try_for_each(|line| output::line(&line))?;
-    }
+    print(&compiled, &report, arm_line, args.json)?;
     match report.problems.len() {
         0 => Ok(()),
         count => Err(anyhow!("{} has {}", file.display(), output::count(count, "problem")).into()),
     }
+}
+
+fn print(compiled: &Compiled, report: &DryRun, arm: String, as_json: bool) -> Result<(), Failure> {
+    if as_json {
+        return Ok(output::json(&json!({
+            "arm": arm,
+            "title": compiled.title,
+            "commands": compiled.commands.len(),
+            "steps": compiled.steps.len(),
+            "report": report,
+        }))?);
+    }
+    let problems = report.problems.iter().map(ToString::to_string);
+    let summary = program_file::summary(compiled, report);
+    problems
+        .chain([summary, arm])
+        .try_for_each(|line| output::line(&line))?;
+    Ok(())
 }

@@ -3,13 +3,13 @@
 use std::fs;
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
-use std::time::{SystemTime, UNIX_EPOCH};
 
 use anyhow::{Context, anyhow};
 use dobot_conformance::{Blocker, HEADING, Options, Outcome, Report, Row, Suite, Verdict};
 use dobot_controller::{Controller, Personality, Port, PowerUp};
 use dobot_session::{Address, Link};
 use dobot_sim::{InProcess, SerialLine, VirtualArm};
+use jiff::Timestamp;
 
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
@@ -63,25 +63,13 @@ pub(crate) struct Args {
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     writable(&args.report)?;
     let link = args.link().await?;
-    let interrupt = interrupt();
     let options = Options {
         laser: args.with_laser,
         traps: args.traps,
         fresh: args.is_virtual(),
     };
     let mut suite = Suite::new(link, options);
-    let mut printed = Ok(());
-    let run = suite.run(|row| {
-        if printed.is_ok() {
-            printed = output::line(&text(row));
-        }
-    });
-    let report = tokio::select! {
-        report = run => Some(report),
-        () = interrupt => None,
-    };
-    printed?;
-    let Some(report) = report else {
+    let Some(report) = checked(&mut suite).await? else {
         eprintln!("stopping: the arm moves back to its start");
         suite.stop().await?;
         return Err(anyhow!("interrupted").into());
@@ -99,6 +87,23 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     judge(&report, &args.address)
 }
 
+/// Runs the checks and prints each one; `None` if they were interrupted.
+async fn checked(suite: &mut Suite) -> Result<Option<Report>, Failure> {
+    let interrupt = interrupt();
+    let mut printed = Ok(());
+    let run = suite.run(|row| {
+        if printed.is_ok() {
+            printed = output::line(&text(row));
+        }
+    });
+    let report = tokio::select! {
+        report = run => Some(report),
+        () = interrupt => None,
+    };
+    printed?;
+    Ok(report)
+}
+
 impl Args {
     const fn is_virtual(&self) -> bool {
         matches!(self.address, Address::Virtual)
@@ -106,18 +111,7 @@ impl Args {
 
     async fn link(&self) -> Result<Link, Failure> {
         if self.is_virtual() {
-            let personality = self.personality.unwrap_or_default();
-            let port = self.port.unwrap_or_default();
-            if port == Port::Bluetooth && personality != Personality::Firmware11 {
-                let error = anyhow!("the personality {personality} has the USB port only");
-                return Err(Failure::usage(error).with_hint("add `--personality firmware-1.1`"));
-            }
-            let controller = Controller::power_up(PowerUp {
-                port,
-                ..PowerUp::new(personality)
-            });
-            let arm = VirtualArm::new(controller, SerialLine::STOCK);
-            return Ok(Link::over_peer(InProcess::new(arm)));
+            return self.virtual_link();
         }
         if self.personality.is_some() {
             let error = anyhow!(
@@ -135,6 +129,21 @@ impl Args {
         }
         self.consent()?;
         Ok(Link::open(&self.address).await?)
+    }
+
+    fn virtual_link(&self) -> Result<Link, Failure> {
+        let personality = self.personality.unwrap_or_default();
+        let port = self.port.unwrap_or_default();
+        if port == Port::Bluetooth && personality != Personality::Firmware11 {
+            let error = anyhow!("the personality {personality} has the USB port only");
+            return Err(Failure::usage(error).with_hint("add `--personality firmware-1.1`"));
+        }
+        let controller = Controller::power_up(PowerUp {
+            port,
+            ..PowerUp::new(personality)
+        });
+        let arm = VirtualArm::new(controller, SerialLine::STOCK);
+        Ok(Link::over_peer(InProcess::new(arm)))
     }
 
     /// Describes what will move, and waits until a person agrees.
@@ -211,7 +220,11 @@ fn judge(report: &Report, address: &Address) -> Result<(), Failure> {
             remedy(why, address),
         ));
     }
-    let unsteady = report.unsteady();
+    Err(difference(report))
+}
+
+/// Describes how the controller differs from the protocol.
+fn difference(report: &Report) -> Failure {
     let differing = report.differing();
     let error = match report.verdict() {
         _ if !differing.is_empty() => anyhow!(
@@ -220,22 +233,25 @@ fn judge(report: &Report, address: &Address) -> Result<(), Failure> {
             differing.join(", ")
         ),
         Verdict::Mixed { .. } => anyhow!("the controller mixes two dialects"),
-        _ if !unsteady.is_empty() => {
-            return Err(Failure::new(
-                anyhow!(
-                    "{} the same result each time: {}",
-                    output::many(unsteady.len(), "check does not have", "checks do not have"),
-                    unsteady.join(", ")
-                ),
-                "try again with another cable, or on a machine closer to the arm; the line loses packets",
-            ));
-        }
+        _ if !report.unsteady().is_empty() => return unsteady(report),
         _ => anyhow!("no check identified the controller's dialect"),
     };
-    Err(Failure::new(
+    Failure::new(
         error,
         "see the report for the findings and the table or note that differs",
-    ))
+    )
+}
+
+fn unsteady(report: &Report) -> Failure {
+    let unsteady = report.unsteady();
+    Failure::new(
+        anyhow!(
+            "{} the same result each time: {}",
+            output::many(unsteady.len(), "check does not have", "checks do not have"),
+            unsteady.join(", ")
+        ),
+        "try again with another cable, or on a machine closer to the arm; the line loses packets",
+    )
 }
 
 /// Returns a remedy for an arm that was not moved.
@@ -271,45 +287,7 @@ fn writable(report: &Path) -> Result<(), Failure> {
 
 /// Today's date in UTC, as in 2016-02-26.
 fn today() -> String {
-    let now = SystemTime::now().duration_since(UNIX_EPOCH);
-    date(now.unwrap_or_default().as_secs() / 86_400)
-}
-
-/// The date a number of days after 1970-01-01.
-fn date(mut days: u64) -> String {
-    let mut year = 1970;
-    while days >= days_of(year) {
-        days -= days_of(year);
-        year += 1;
-    }
-    let mut months = [
-        31,
-        days_of(year) - 337,
-        31,
-        30,
-        31,
-        30,
-        31,
-        31,
-        30,
-        31,
-        30,
-        31,
-    ]
-    .into_iter();
-    let mut month = 1;
-    while let Some(length) = months.next()
-        && days >= length
-    {
-        days -= length;
-        month += 1;
-    }
-    format!("{year}-{month:02}-{:02}", days + 1)
-}
-
-const fn days_of(year: u64) -> u64 {
-    let leap = year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
-    if leap { 366 } else { 365 }
+    Timestamp::now().strftime("%F").to_string()
 }
 
 #[cfg(test)]
@@ -334,23 +312,6 @@ mod tests {
         ] {
             let found = remedy(&why, &address);
             assert!(found.contains(expected), "{found}");
-        }
-    }
-
-    #[test]
-    fn days_become_dates() {
-        for (days, expected) in [
-            (0, "1970-01-01"),
-            (58, "1970-02-28"),
-            (59, "1970-03-01"),
-            (364, "1970-12-31"),
-            (16_857, "2016-02-26"),
-            (16_860, "2016-02-29"),
-            (16_861, "2016-03-01"),
-            (17_166, "2016-12-31"),
-            (20_513, "2026-03-01"),
-        ] {
-            assert_eq!(date(days), expected, "{days}");
         }
     }
 }

@@ -89,16 +89,20 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if lines.iter().any(|(_, _, content)| is_packet(content)) {
         Ok(())
     } else {
-        let found = anyhow!(
-            "no packet in {}, read as {}",
-            output::count(input.len(), "byte"),
-            input.format
-        );
-        Err(Failure::new(
-            found,
-            "check the input: a packet is 42 bytes: A5, ten little-endian floats, 5A",
-        ))
+        Err(no_packet(&input))
     }
+}
+
+fn no_packet(input: &Input) -> Failure {
+    let found = anyhow!(
+        "no packet in {}, read as {}",
+        output::count(input.len(), "byte"),
+        input.format
+    );
+    Failure::new(
+        found,
+        "check the input: a packet is 42 bytes: A5, ten little-endian floats, 5A",
+    )
 }
 
 /// The lines to show, in the order of sending as far as it is known.

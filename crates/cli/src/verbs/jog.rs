@@ -109,14 +109,25 @@ impl Args {
             return Ok(end.arm.status);
         }
         run_command(station, jog.command()).await?;
-        if let Some(end) = button.end() {
-            tokio::select! {
-                () = station.wait(self.time) => {}
-                () = interrupt() => {}
-            }
-            run_command(station, end.command()).await?;
-        }
+        self.hold_switch(station, button).await?;
         control::wait_for_rest(station).await
+    }
+
+    /// Keeps a switch as it is for the time, if it has a button that ends that.
+    async fn hold_switch(
+        &self,
+        station: &mut StationClient,
+        button: Button,
+    ) -> Result<(), Failure> {
+        let Some(end) = button.end() else {
+            return Ok(());
+        };
+        tokio::select! {
+            () = station.wait(self.time) => {}
+            () = interrupt() => {}
+        }
+        run_command(station, end.command()).await?;
+        Ok(())
     }
 }
 

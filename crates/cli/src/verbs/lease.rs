@@ -84,13 +84,15 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
             station.request(Request::ReleaseLease).await?;
             Ok(output::line("nobody has control")?)
         }
-        Action::Laser { time } => {
-            take_control(&mut station).await?;
-            arm_laser(&mut station, Some(time)).await?;
-            output::line("the laser is armed; wear goggles")?;
-            keep_control(&mut station, Some(time)).await
-        }
+        Action::Laser { time } => keep_laser(&mut station, time).await,
     }
+}
+
+async fn keep_laser(station: &mut StationClient, time: Duration) -> Result<(), Failure> {
+    take_control(station).await?;
+    arm_laser(station, Some(time)).await?;
+    output::line("the laser is armed; wear goggles")?;
+    keep_control(station, Some(time)).await
 }
 
 async fn show(station: &mut StationClient, as_json: bool) -> Result<(), Failure> {
@@ -153,7 +155,6 @@ async fn wait_for_control(station: &mut StationClient, me: ClientId) -> Result<(
 /// Keeps control until the time is over, Ctrl-C is pressed, or another client gets it.
 async fn keep_control(station: &mut StationClient, time: Option<Duration>) -> Result<(), Failure> {
     output::line("you have control; press Ctrl-C to release it")?;
-    let me = station.id();
     let mut over = std::pin::pin!(over(time));
     let mut interrupt = std::pin::pin!(interrupt());
     let mut lines = lines_of_person();
@@ -171,17 +172,25 @@ async fn keep_control(station: &mut StationClient, time: Option<Duration>) -> Re
             () = &mut over => break,
             () = &mut interrupt => break,
         };
-        let StationEvent::Notice(notice) = event else {
-            continue;
-        };
-        if let News::LeaseAsked { client } = notice.news {
-            asking = Some(client);
-            output::line(&format!("{}; press Enter to hand it over", notice.text))?;
+        if let StationEvent::Notice(notice) = event {
+            asking = asking_client(&notice, station.id())?.or(asking);
         }
-        check_kept(&notice, me)?;
     }
     station.request(Request::ReleaseLease).await?;
     Ok(output::line("control is released")?)
+}
+
+/// Handles a notice while the client keeps control; returns the client that asks for control, if any.
+fn asking_client(notice: &Notice, me: ClientId) -> Result<Option<ClientId>, Failure> {
+    let asking = match notice.news {
+        News::LeaseAsked { client } => Some(client),
+        _ => None,
+    };
+    if asking.is_some() {
+        output::line(&format!("{}; press Enter to hand it over", notice.text))?;
+    }
+    check_kept(notice, me)?;
+    Ok(asking)
 }
 
 fn check_kept(notice: &Notice, me: ClientId) -> Result<(), Failure> {

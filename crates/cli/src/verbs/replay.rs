@@ -122,22 +122,9 @@ fn due(replay: &mut Replay, now: Duration) -> Vec<u8> {
 }
 
 fn conclude(report: &Report, dialect: Option<Dialect>, as_json: bool) -> Result<(), Failure> {
-    let differences = report.differences.len() as u64 + report.more;
+    let differences = count(report);
     if as_json {
-        let shown: Vec<_> = report
-            .differences
-            .iter()
-            .map(|difference| json_of(difference, dialect))
-            .collect();
-        output::json(&json!({
-            "same": report.same,
-            "different": differences,
-            "differences": shown,
-            "furthest_apart_s": report.furthest_apart.as_secs_f64(),
-            "noise_bytes": report.noise_bytes,
-            "recorded_noise_bytes": report.recorded_noise_bytes,
-            "damage": report.damage.as_ref().map(ToString::to_string),
-        }))?;
+        output::json(&fields(report, dialect))?;
     } else {
         print(report, dialect)?;
     }
@@ -157,6 +144,28 @@ fn conclude(report: &Report, dialect: Option<Dialect>, as_json: bool) -> Result<
         )
     };
     Err(error.into())
+}
+
+/// Returns the number of all differences.
+fn count(report: &Report) -> u64 {
+    report.differences.len() as u64 + report.more
+}
+
+fn fields(report: &Report, dialect: Option<Dialect>) -> Value {
+    let shown: Vec<_> = report
+        .differences
+        .iter()
+        .map(|difference| json_of(difference, dialect))
+        .collect();
+    json!({
+        "same": report.same,
+        "different": count(report),
+            "differences": shown,
+            "furthest_apart_s": report.furthest_apart.as_secs_f64(),
+            "noise_bytes": report.noise_bytes,
+            "recorded_noise_bytes": report.recorded_noise_bytes,
+            "damage": report.damage.as_ref().map(ToString::to_string),
+    })
 }
 
 fn print(report: &Report, dialect: Option<Dialect>) -> std::io::Result<()> {

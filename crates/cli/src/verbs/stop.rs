@@ -42,7 +42,12 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     }
     let reason = args.reason;
     let reply = station.request(Request::Stop { reason }).await?;
-    let text = match reply {
+    Ok(output::line(&stopped(&reply)?)?)
+}
+
+/// Describes how the arm stops.
+fn stopped(reply: &Reply) -> Result<String, Failure> {
+    Ok(match reply {
         Reply::Stopping {
             delivered: false, ..
         } => {
@@ -55,8 +60,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
             format!("the arm is stopped; it comes to rest within {rests_within_s:.2} s")
         }
         _ => "the arm is stopped".to_owned(),
-    };
-    Ok(output::line(&text)?)
+    })
 }
 
 /// Points to the arm's own switch: a station that is not reached stops nothing.

@@ -79,32 +79,44 @@ pub(crate) fn run(args: Args) -> Result<(), Failure> {
             name,
             shared,
             same_as,
-        } => {
-            let made = match same_as {
-                None => Some(tokens.add(role, &name)?),
-                Some(file) => {
-                    tokens.accept(role, &name, &known(&file)?)?;
-                    None
-                }
-            };
-            if shared {
-                tokens.share(&name)?;
-            }
-            if let Some(token) = made {
-                output::line(token.secret())?;
-            }
-        }
-        Action::List => {
-            for (name, role) in tokens.list() {
-                let shared = if tokens.is_shared(name) {
-                    "  (shared)"
-                } else {
-                    ""
-                };
-                output::line(&format!("{role:8} {name}{shared}"))?;
-            }
-        }
+        } => add(&mut tokens, role, &name, shared, same_as.as_deref())?,
+        Action::List => list(&tokens)?,
         Action::Remove { name } => tokens.remove(&name)?,
+    }
+    Ok(())
+}
+
+fn add(
+    tokens: &mut Tokens,
+    role: Role,
+    name: &str,
+    shared: bool,
+    same_as: Option<&Path>,
+) -> Result<(), Failure> {
+    let made = match same_as {
+        None => Some(tokens.add(role, name)?),
+        Some(file) => {
+            tokens.accept(role, name, &known(file)?)?;
+            None
+        }
+    };
+    if shared {
+        tokens.share(name)?;
+    }
+    if let Some(token) = made {
+        output::line(token.secret())?;
+    }
+    Ok(())
+}
+
+fn list(tokens: &Tokens) -> Result<(), Failure> {
+    for (name, role) in tokens.list() {
+        let shared = if tokens.is_shared(name) {
+            "  (shared)"
+        } else {
+            ""
+        };
+        output::line(&format!("{role:8} {name}{shared}"))?;
     }
     Ok(())
 }

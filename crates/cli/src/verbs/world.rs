@@ -125,12 +125,8 @@ fn summary(state: &WorldState) -> Vec<String> {
         _ => {}
     }
     lines.extend(state.objects.iter().map(|one| object(one, state)));
-    lines.extend(
-        state
-            .events
-            .iter()
-            .map(|event| fact("event", &event.to_string())),
-    );
+    let events = state.events.iter();
+    lines.extend(events.map(|event| fact("event", &event.to_string())));
     lines
 }
 

@@ -153,22 +153,11 @@ fn web(url: &str, secret: Option<String>, ca: Option<PathBuf>) -> Result<WebHook
     let uri: Uri = url
         .parse()
         .map_err(|error| format!("`url` is no address: {error}"))?;
-    let is_encrypted = match uri.scheme_str() {
-        Some("http") => false,
-        Some("https") => true,
-        _ => return Err("`url` begins with neither http:// nor https://".into()),
-    };
+    let is_encrypted = is_encrypted(&uri)?;
     let authority = uri.authority().filter(|name| !name.as_str().contains('@'));
     let authority = authority.ok_or("`url` has no host, or a user name")?;
-    let secret = secret.filter(|secret| secret.chars().count() >= SHORTEST_SECRET);
-    let secret = secret.ok_or_else(|| {
-        format!("`secret` has fewer than {SHORTEST_SECRET} characters; it signs each event")
-    })?;
-    let tls = match (is_encrypted, ca) {
-        (true, ca) => Some(authorities(ca)?),
-        (false, None) => None,
-        (false, Some(_)) => return Err("`ca` is only for https".into()),
-    };
+    let secret = long_enough(secret)?;
+    let tls = tls(is_encrypted, ca)?;
     let host = authority.host();
     let path = uri.path_and_query().map_or("/", |path| path.as_str());
     Ok(WebHook {
@@ -183,6 +172,29 @@ fn web(url: &str, secret: Option<String>, ca: Option<PathBuf>) -> Result<WebHook
         authority: authority.to_string(),
         path: path.to_owned(),
         secret,
+    })
+}
+
+fn is_encrypted(uri: &Uri) -> Result<bool, String> {
+    match uri.scheme_str() {
+        Some("http") => Ok(false),
+        Some("https") => Ok(true),
+        _ => Err("`url` begins with neither http:// nor https://".into()),
+    }
+}
+
+fn tls(is_encrypted: bool, ca: Option<PathBuf>) -> Result<Option<Authorities>, String> {
+    match (is_encrypted, ca) {
+        (true, ca) => authorities(ca).map(Some),
+        (false, None) => Ok(None),
+        (false, Some(_)) => Err("`ca` is only for https".into()),
+    }
+}
+
+fn long_enough(secret: Option<String>) -> Result<String, String> {
+    let secret = secret.filter(|secret| secret.chars().count() >= SHORTEST_SECRET);
+    secret.ok_or_else(|| {
+        format!("`secret` has fewer than {SHORTEST_SECRET} characters; it signs each event")
     })
 }
 

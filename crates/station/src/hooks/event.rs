@@ -61,12 +61,7 @@ pub(super) fn event(notice: &Notice, job: Option<JobView>, station: &str) -> Opt
         News::LinkLost => EventKind::LinkLost,
         _ => return None,
     };
-    let mut id = [0; 16];
-    // Without random numbers the notice identifies it since the start of the station.
-    let id = match getrandom::fill(&mut id) {
-        Ok(()) => data_encoding::HEXLOWER.encode(&id),
-        Err(_) => notice.number.to_string(),
-    };
+    let id = event_id(notice);
     let body = Body {
         event: kind,
         id: &id,
@@ -77,6 +72,16 @@ pub(super) fn event(notice: &Notice, job: Option<JobView>, station: &str) -> Opt
     };
     let body = serde_json::to_vec(&body).expect("its numbers are finite");
     Some(Event { kind, id, body })
+}
+
+/// Returns a random number, or without random numbers that of the notice, which identifies it since the
+/// start of the station.
+fn event_id(notice: &Notice) -> String {
+    let mut id = [0; 16];
+    match getrandom::fill(&mut id) {
+        Ok(()) => data_encoding::HEXLOWER.encode(&id),
+        Err(_) => notice.number.to_string(),
+    }
 }
 
 fn asks_person(job: &JobView) -> bool {

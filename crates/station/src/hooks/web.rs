@@ -104,19 +104,10 @@ async fn encrypted(
 ) -> Result<tokio_rustls::client::TlsStream<TcpStream>, String> {
     use std::sync::Arc;
 
-    use rustls::pki_types::pem::PemObject;
-    use rustls::pki_types::{CertificateDer, ServerName};
-    use rustls::{ClientConfig, RootCertStore};
+    use rustls::ClientConfig;
+    use rustls::pki_types::ServerName;
 
-    let unusable = |error: String| format!("{}: {error}", file.display());
-    let mut trusted = RootCertStore::empty();
-    let certificates =
-        CertificateDer::pem_file_iter(file).map_err(|error| unusable(error.to_string()))?;
-    // A system's file may have certificates that this library does not know.
-    trusted.add_parsable_certificates(certificates.flatten());
-    if trusted.is_empty() {
-        return Err(unusable("it has no certificate".into()));
-    }
+    let trusted = trusted(file)?;
     let provider = Arc::new(rustls::crypto::ring::default_provider());
     let config = ClientConfig::builder_with_provider(provider)
         .with_safe_default_protocol_versions()
@@ -127,6 +118,24 @@ async fn encrypted(
     let connector = tokio_rustls::TlsConnector::from(Arc::new(config));
     let connected = connector.connect(name, tcp).await;
     connected.map_err(|error| format!("cannot connect: {error}"))
+}
+
+/// Reads the certificates of the authorities in a file.
+#[cfg(feature = "full")]
+fn trusted(file: &std::path::Path) -> Result<rustls::RootCertStore, String> {
+    use rustls::pki_types::CertificateDer;
+    use rustls::pki_types::pem::PemObject;
+
+    let unusable = |error: String| format!("{}: {error}", file.display());
+    let mut trusted = rustls::RootCertStore::empty();
+    let certificates =
+        CertificateDer::pem_file_iter(file).map_err(|error| unusable(error.to_string()))?;
+    // A system's file may have certificates that this library does not know.
+    trusted.add_parsable_certificates(certificates.flatten());
+    if trusted.is_empty() {
+        return Err(unusable("it has no certificate".into()));
+    }
+    Ok(trusted)
 }
 
 #[cfg(not(feature = "full"))]

@@ -9,7 +9,7 @@ use ratatui::text::Line;
 
 use super::toucher::Toucher;
 use crate::output::wrapped;
-use crate::pendant::{Pendant, alarm, answer, held_line, key_line, move_lines};
+use crate::pendant::{Pendant, answer, draw_top, key_line, move_lines};
 use crate::verbs::watch::panels;
 
 /// Draws the screen.
@@ -41,24 +41,21 @@ pub(super) fn draw_touching(
         Constraint::Length(1),
     ];
     let [top, alarm_row, arm, touches, keys, bottom] = Layout::vertical(rows).areas(frame.area());
-    frame.render_widget(held_line(pendant), top);
-    frame.render_widget(alarm(pendant), alarm_row);
-    if let Some(state) = pendant.state() {
-        panels::arm(frame, arm, state);
-    }
+    draw_top(frame, pendant, [top, alarm_row, arm]);
     panels::panel(frame, touches, title, result);
     let mut help = move_lines(pendant, ".");
-    let keys_of_touching = [
-        ("Enter", "touched"),
-        ("n", "skip"),
-        ("z", "undo"),
-        ("w", "show, save"),
-        ("q", "quit"),
-    ];
-    help.push(key_line(&[&keys_of_touching, more_keys].concat()));
+    help.push(key_line(&[TOUCHING_KEYS, more_keys].concat()));
     panels::panel(frame, keys, "keys", help);
     frame.render_widget(answer(pendant), bottom);
 }
+
+const TOUCHING_KEYS: &[(&str, &str)] = &[
+    ("Enter", "touched"),
+    ("n", "skip"),
+    ("z", "undo"),
+    ("w", "show, save"),
+    ("q", "quit"),
+];
 
 fn lines(toucher: &Toucher) -> Vec<Line<'static>> {
     let (number, [x_mm, y_mm]) = toucher.procedure.next_point();

@@ -90,18 +90,7 @@ pub(crate) fn show(place: &Place, content: &Content, as_json: bool) -> std::io::
 fn text(content: &Content) -> String {
     match content {
         Content::Status(status) => format!("status  {}", output::fields(status)),
-        Content::OddStatus(status, oddity) => {
-            let fields = output::fields(status);
-            match oddity {
-                Oddity::PoseLost => format!("status with a lost pose (NaN)  {fields}"),
-                Oddity::Rounded { off_mm } => {
-                    format!("status, rounded: {off_mm:.2} mm off its angles  {fields}")
-                }
-                Oddity::Damaged => {
-                    format!("damaged status, rejected by clients (note N22)  {fields}")
-                }
-            }
-        }
+        Content::OddStatus(status, oddity) => odd_status(&output::fields(status), *oddity),
         Content::Command(_) => String::new(),
         Content::Skipped(bytes) => {
             format!("skipped {} outside packets", output::count(bytes, "byte"))
@@ -111,6 +100,18 @@ fn text(content: &Content) -> String {
                 "{} missing here",
                 output::many(bytes, "byte is", "bytes are")
             )
+        }
+    }
+}
+
+fn odd_status(fields: &str, oddity: Oddity) -> String {
+    match oddity {
+        Oddity::PoseLost => format!("status with a lost pose (NaN)  {fields}"),
+        Oddity::Rounded { off_mm } => {
+            format!("status, rounded: {off_mm:.2} mm off its angles  {fields}")
+        }
+        Oddity::Damaged => {
+            format!("damaged status, rejected by clients (note N22)  {fields}")
         }
     }
 }
@@ -137,36 +138,35 @@ fn show_reading(
     differs: bool,
     as_json: bool,
 ) -> std::io::Result<()> {
-    let Reading {
-        dialect,
-        command,
-        stock_takes,
-    } = reading;
-    let name = dialect.name();
-    let dialect_text = if differs {
-        format!("[{name}] ")
+    if as_json {
+        return place.json(reading_fields(reading));
+    }
+    let dialect = if differs {
+        format!("[{}] ", reading.dialect.name())
     } else {
         String::new()
     };
-    match (command, as_json) {
-        (Ok(command), true) => place.json(json!({ "dialect": name, "command": command })),
-        (Ok(command), false) => place.line(&format!(
-            "{dialect_text}{}  {}",
-            kind(command),
-            output::fields(command)
-        )),
-        (Err(error), true) if *stock_takes => place.json(
-            json!({ "dialect": name, "error": error.to_string(), "stock_arm_takes_it": true }),
-        ),
-        (Err(error), true) => place.json(json!({ "dialect": name, "error": error.to_string() })),
-        (Err(error), false) => {
-            let taken = if *stock_takes {
-                "; an arm as sold executes it"
-            } else {
-                ""
-            };
-            place.line(&format!("{dialect_text}not allowed: {error}{taken}"))
+    place.line(&format!("{dialect}{}", reading_text(reading)))
+}
+
+fn reading_fields(reading: &Reading) -> Value {
+    let name = reading.dialect.name();
+    match &reading.command {
+        Ok(command) => json!({ "dialect": name, "command": command }),
+        Err(error) if reading.stock_takes => {
+            json!({ "dialect": name, "error": error.to_string(), "stock_arm_takes_it": true })
         }
+        Err(error) => json!({ "dialect": name, "error": error.to_string() }),
+    }
+}
+
+fn reading_text(reading: &Reading) -> String {
+    match &reading.command {
+        Ok(command) => format!("{}  {}", kind(command), output::fields(command)),
+        Err(error) if reading.stock_takes => {
+            format!("not allowed: {error}; an arm as sold executes it")
+        }
+        Err(error) => format!("not allowed: {error}"),
     }
 }
 

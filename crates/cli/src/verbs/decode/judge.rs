@@ -32,24 +32,10 @@ pub(super) fn pieces(
     let prevailing = prevailing(&found);
     let mut pieces = Vec::new();
     let mut end = 0;
-    for Found {
-        offset,
-        window,
-        view,
-    } in &found
-    {
-        skip(&mut pieces, end, *offset);
-        pieces.push(Piece {
-            offset: *offset,
-            len: PACKET_LEN,
-            content: content(
-                window,
-                view.sender(window, prevailing),
-                view.trust(),
-                dialect,
-            ),
-        });
-        end = offset + PACKET_LEN;
+    for packet in &found {
+        skip(&mut pieces, end, packet.offset);
+        pieces.push(packet.piece(prevailing, dialect));
+        end = packet.offset + PACKET_LEN;
     }
     skip(&mut pieces, end, bytes.len());
     pieces
@@ -66,6 +52,17 @@ enum Confidence {
     Believable,
     /// An allowed command, or a status whose position matches its angles.
     Sure,
+}
+
+impl Confidence {
+    /// The least confidence in a packet right after another one, or elsewhere.
+    const fn least(in_step: bool) -> Self {
+        if in_step {
+            Self::Delimited
+        } else {
+            Self::Believable
+        }
+    }
 }
 
 /// The sender of a packet.
@@ -132,6 +129,17 @@ struct Found<'a> {
     view: View,
 }
 
+impl Found<'_> {
+    fn piece(&self, prevailing: Option<Sender>, dialect: Option<Dialect>) -> Piece {
+        let sender = self.view.sender(self.window, prevailing);
+        Piece {
+            offset: self.offset,
+            len: PACKET_LEN,
+            content: content(self.window, sender, self.view.trust(), dialect),
+        }
+    }
+}
+
 fn find(bytes: &[u8], from: SenderOption, mut in_step: bool) -> Vec<Found<'_>> {
     let view_at = |offset: usize| {
         let window = bytes.get(offset..)?.first_chunk()?;
@@ -141,11 +149,7 @@ fn find(bytes: &[u8], from: SenderOption, mut in_step: bool) -> Vec<Found<'_>> {
     let mut offset = 0;
     while let Some((window, view)) = view_at(offset) {
         let trust = view.trust();
-        let least = if in_step {
-            Confidence::Delimited
-        } else {
-            Confidence::Believable
-        };
+        let least = Confidence::least(in_step);
         let is_better = |inside| view_at(inside).is_some_and(|(_, view)| view.trust() > trust);
         in_step = trust >= least
             && (trust == Confidence::Sure || !(offset + 1..offset + PACKET_LEN).any(is_better));

@@ -75,6 +75,17 @@ fn without_rules() -> Command {
     })
 }
 
+/// Returns whether one option excludes the other.
+fn excludes(draw: &Command, one: &Id, other: &Id) -> bool {
+    let conflict = |a, b: &clap::Arg| {
+        let all = draw.get_arg_conflicts_with(a);
+        all.iter().any(|arg| arg.get_id() == b.get_id())
+    };
+    let (one, other) = (argument(draw, one), argument(draw, other));
+    one.zip(other)
+        .is_some_and(|(a, b)| conflict(a, b) || conflict(b, a))
+}
+
 impl Defaults {
     fn of(given: &ArgMatches, words: &[OsString]) -> Result<Option<Self>, Failure> {
         let omitted = given.get_many::<String>("no_defaults");
@@ -109,17 +120,8 @@ impl Defaults {
         let draw = program
             .find_subcommand("draw")
             .expect("`draw` is a subcommand");
-        let excludes = |one: &Id, other: &Id| {
-            let (one, other) = (argument(draw, one), argument(draw, other));
-            let blacklist = |a, b: &clap::Arg| {
-                let all = draw.get_arg_conflicts_with(a);
-                all.iter().any(|arg| arg.get_id() == b.get_id())
-            };
-            one.zip(other)
-                .is_some_and(|(a, b)| blacklist(a, b) || blacklist(b, a))
-        };
         for entry in self.entries.iter_mut().filter(|entry| entry.is_used()) {
-            let excluding = self.given.iter().find(|id| excludes(&entry.id, id));
+            let excluding = self.given.iter().find(|id| excludes(draw, &entry.id, id));
             if self.given.contains(&entry.id) {
                 entry.unused = Some(GIVEN.to_owned());
             } else if let Some(arg) = excluding.and_then(|id| argument(draw, id)) {
@@ -127,9 +129,18 @@ impl Defaults {
                 entry.unused = Some(format!("the command line gives --{long}"));
             }
         }
+        self.check_exclusive(draw)?;
+        self.drop_ineffective();
+        Ok(())
+    }
+
+    fn check_exclusive(&self, draw: &Command) -> Result<(), Failure> {
         let used: Vec<&Entry> = self.used().collect();
         for (i, one) in used.iter().enumerate() {
-            if let Some(other) = used[..i].iter().find(|other| excludes(&other.id, &one.id)) {
+            if let Some(other) = used[..i]
+                .iter()
+                .find(|other| excludes(draw, &other.id, &one.id))
+            {
                 let (file, line) = (self.file.display(), one.line);
                 return Err(anyhow!(
                     "{file}, line {line}: {} and {} exclude each other; use only one",
@@ -139,7 +150,6 @@ impl Defaults {
                 .into());
             }
         }
-        self.drop_ineffective();
         Ok(())
     }
 

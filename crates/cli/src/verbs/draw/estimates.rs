@@ -1,7 +1,8 @@
 //! A log of estimated and actual durations of drawings, to judge the estimates.
 
 use std::fs::OpenOptions;
-use std::io::Write;
+use std::io::{self, Write};
+use std::path::Path;
 
 use anyhow::Context;
 use jiff::Timestamp;
@@ -41,12 +42,11 @@ pub(super) fn log(title: &str, times: Times) -> Result<(), Failure> {
         .make_data()
         .with_context(|| format!("cannot create {}", folder.data().display()))?;
     let file = folder.data().join("estimates.jsonl");
-    let mut open = OpenOptions::new();
-    let written = open
-        .create(true)
-        .append(true)
-        .open(&file)
-        .and_then(|mut file| file.write_all(text.as_bytes()));
-    written.with_context(|| format!("cannot write {}", file.display()))?;
+    append(&file, &text).with_context(|| format!("cannot write {}", file.display()))?;
     Ok(())
+}
+
+fn append(file: &Path, text: &str) -> io::Result<()> {
+    let mut file = OpenOptions::new().create(true).append(true).open(file)?;
+    file.write_all(text.as_bytes())
 }

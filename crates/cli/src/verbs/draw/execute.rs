@@ -57,13 +57,7 @@ pub(super) async fn execute(
         planned_s = job.and_then(|job| job.planned_s).or(planned_s);
     };
     let outcome = match submit(station, plan, title, armed_for).await {
-        Ok(job) => {
-            let outcome = follow::start_shown(station, job, plan.burns(), bar, see).await;
-            if outcome.is_err() {
-                station.remove_unstarted(job).await;
-            }
-            outcome
-        }
+        Ok(job) => start(station, job, plan.burns(), bar, see).await,
         Err(failure) => Err(failure),
     };
     Executed {
@@ -71,6 +65,21 @@ pub(super) async fn execute(
         planned_s,
         seen,
     }
+}
+
+/// Starts and follows a job, and removes it if it did not start.
+async fn start(
+    station: &mut StationClient,
+    job: u64,
+    burns: bool,
+    bar: &ProgressBar,
+    see: impl FnMut(&State),
+) -> Result<Duration, Failure> {
+    let outcome = follow::start_shown(station, job, burns, bar, see).await;
+    if outcome.is_err() {
+        station.remove_unstarted(job).await;
+    }
+    outcome
 }
 
 async fn submit(

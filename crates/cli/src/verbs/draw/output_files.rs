@@ -12,31 +12,16 @@ use crate::failure::Failure;
 
 /// Checks that no output file overwrites an input or another output, even under another name.
 pub(super) fn check_apart(args: &Args) -> Result<(), Failure> {
-    let Args { result, to, .. } = args;
-    let drawings = args.files.iter().map(|file| ("the drawing", file));
-    let others = [
-        ("--materials", &args.materials),
-        ("--defaults", &args.defaults),
-        ("--calibration", &args.calibration),
-        ("--policy", &to.policy),
-    ];
-    let others = others
-        .into_iter()
-        .filter_map(|(what, file)| Some((what, file.as_ref()?)));
+    let result = &args.result;
     let outputs = [
         ("--picture", &result.picture),
         ("--timeline", &result.timeline),
         ("--export", &result.export),
     ];
-    let mut taken: Vec<(&str, FileIdentity)> = drawings
-        .chain(others)
-        .filter_map(|(what, file)| Some((what, FileIdentity::of(file)?)))
-        .collect();
-    for (option, file) in outputs {
-        let Some((file, identity)) = file
-            .as_ref()
-            .and_then(|file| Some((file, FileIdentity::of(file)?)))
-        else {
+    let mut taken = inputs(args);
+    let outputs = outputs.iter();
+    for (option, file) in outputs.filter_map(|(option, file)| Some((*option, file.as_ref()?))) {
+        let Some(identity) = FileIdentity::of(file) else {
             continue;
         };
         if let Some((what, _)) = taken.iter().find(|other| other.1 == identity) {
@@ -48,6 +33,22 @@ pub(super) fn check_apart(args: &Args) -> Result<(), Failure> {
         taken.push((option, identity));
     }
     Ok(())
+}
+
+/// Returns the files that the drawing is made from.
+fn inputs(args: &Args) -> Vec<(&'static str, FileIdentity)> {
+    let drawings = args.files.iter().map(|file| ("the drawing", file));
+    let others = [
+        ("--materials", &args.materials),
+        ("--defaults", &args.defaults),
+        ("--calibration", &args.calibration),
+        ("--policy", &args.to.policy),
+    ];
+    let others = others.into_iter();
+    drawings
+        .chain(others.filter_map(|(what, file)| Some((what, file.as_ref()?))))
+        .filter_map(|(what, file)| Some((what, FileIdentity::of(file)?)))
+        .collect()
 }
 
 /// The identity of a regular file under all of its names.

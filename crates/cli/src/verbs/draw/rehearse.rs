@@ -66,9 +66,7 @@ pub(super) async fn rehearse(
     let mut station = StationClient::with_virtual_arm(power_up, policy, &name);
     control::status(&mut station).await?;
     if let Some(from) = from {
-        take_control(&mut station).await?;
-        // If the policy forbids that position, the way from there is omitted.
-        let _ = run_command(&mut station, standing(from).into()).await;
+        go_to_start(&mut station, from).await?;
     }
     let calibration = settings.calibration.clone().map(Box::new);
     station.request(Request::Calibrate { calibration }).await?;
@@ -82,6 +80,14 @@ pub(super) async fn rehearse(
         planned_s: executed.planned_s,
         carried: arm.and_then(|arm| Carried::of(arm, prepared, settings)),
     })
+}
+
+/// Brings the virtual arm to where the real one is.
+async fn go_to_start(station: &mut StationClient, from: &Status) -> Result<(), Failure> {
+    take_control(station).await?;
+    // If the policy forbids that position, the way from there is omitted.
+    let _ = run_command(station, standing(from).into()).await;
+    Ok(())
 }
 
 const fn standing(at: &Status) -> MoveJoints {

@@ -89,12 +89,7 @@ fn read_part(arm: String, file: &Path, planned: &PlannedFor) -> Result<Part, Fai
     let program = Program::from_toml(&text).with_context(named)?;
     let mut files = BTreeMap::new();
     let read = |path: &str| {
-        let bytes = fs::read(folder.join(path));
-        let bytes = bytes.map_err(|error| format!("cannot read {path}: {error}"))?;
-        let text = String::from_utf8(bytes.clone());
-        let text = text.map_err(|_| {
-            format!("{path} is not UTF-8 text; only text files can be sent to a station, for example SVG")
-        })?;
+        let (bytes, text) = read_text(folder, path)?;
         files.insert(path.to_owned(), text);
         Ok(bytes)
     };
@@ -108,6 +103,19 @@ fn read_part(arm: String, file: &Path, planned: &PlannedFor) -> Result<Part, Fai
         files,
         compiled,
     })
+}
+
+/// Reads a file of a part, as bytes and as the text that is sent to its station.
+fn read_text(folder: &Path, path: &str) -> Result<(Vec<u8>, String), String> {
+    let bytes = fs::read(folder.join(path));
+    let bytes = bytes.map_err(|error| format!("cannot read {path}: {error}"))?;
+    let text = String::from_utf8(bytes.clone());
+    let text = text.map_err(|_| {
+        format!(
+            "{path} is not UTF-8 text; only text files can be sent to a station, for example SVG"
+        )
+    })?;
+    Ok((bytes, text))
 }
 
 fn text(file: &Path) -> Result<String, Failure> {
@@ -254,20 +262,22 @@ impl<'a> Progress<'a> {
                 )]
             }
             EngineEvent::Done { part } => vec![format!("{} is done", self.arm(*part))],
-            EngineEvent::Held { part, why, with } => {
-                let with: Vec<_> = with.iter().map(|part| self.arm(*part)).collect();
-                let holds = match &with[..] {
-                    [] => "no other arm depends on it".to_owned(),
-                    [one] => format!("{one} pauses, too"),
-                    with => format!("{} pause, too", with.join(", ")),
-                };
-                let keys =
-                    "look at its arm; then press g and Enter to continue, or e and Enter to end it";
-                let line = format!("{} does not continue: {why}; {holds}", self.arm(*part));
-                let keys = self.is_attended.then(|| keys.to_owned());
-                [line].into_iter().chain(keys).collect()
-            }
+            EngineEvent::Held { part, why, with } => self.held(*part, why, with),
         }
+    }
+
+    /// Returns the lines about an arm that does not continue, and what a person can do.
+    fn held(&self, part: usize, why: &str, with: &[usize]) -> Vec<String> {
+        let with: Vec<_> = with.iter().map(|part| self.arm(*part)).collect();
+        let holds = match &with[..] {
+            [] => "no other arm depends on it".to_owned(),
+            [one] => format!("{one} pauses, too"),
+            with => format!("{} pause, too", with.join(", ")),
+        };
+        let keys = "look at its arm; then press g and Enter to continue, or e and Enter to end it";
+        let line = format!("{} does not continue: {why}; {holds}", self.arm(part));
+        let keys = self.is_attended.then(|| keys.to_owned());
+        [line].into_iter().chain(keys).collect()
     }
 
     fn arm(&self, part: usize) -> &str {

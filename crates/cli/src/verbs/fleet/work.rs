@@ -89,32 +89,8 @@ struct RequirementArgs {
 impl WorkArgs {
     pub(super) async fn run(self, station: &Station, as_json: bool) -> Result<(), Failure> {
         let address = station.address_of_running().await?;
-        let all = match self.action.unwrap_or(Action::List) {
-            Action::List => fetch(&address, WORK).await?,
-            Action::Draw(args) => {
-                let name = args.file.as_deref().map(name).transpose()?;
-                let file = args.file.as_deref().map(read).transpose()?;
-                let file = file.map(|bytes| BASE64.encode(&bytes));
-                let drawing = json!({ "name": name, "file": file, "options": args.options.0 });
-                vec![
-                    args.requirements
-                        .submit(&address, "drawing", drawing)
-                        .await?,
-                ]
-            }
-            Action::Job { file, requirements } => {
-                let job = super::super::jobs::read(&file)?;
-                vec![submit_job(&address, &requirements, &job).await?]
-            }
-            Action::Cancel { number } => {
-                let work = find(&address, &number).await?;
-                vec![delete(&address, &format!("{WORK}/{work}")).await?]
-            }
-            Action::Give { number } => {
-                let work = find(&address, &number).await?;
-                vec![post(&address, &format!("{WORK}/{work}/give"), &json!({})).await?]
-            }
-        };
+        let action = self.action.unwrap_or(Action::List);
+        let all = action.carry_out(&address).await?;
         if as_json {
             return Ok(output::json(&all)?);
         }
@@ -124,6 +100,38 @@ impl WorkArgs {
             }
         }
         Ok(())
+    }
+}
+
+impl Action {
+    /// Carries out the action; returns the work that it is about.
+    async fn carry_out(self, address: &StationAddress) -> Result<Vec<WorkView>, Failure> {
+        Ok(match self {
+            Self::List => fetch(address, WORK).await?,
+            Self::Draw(args) => vec![args.submit(address).await?],
+            Self::Job { file, requirements } => {
+                let job = super::super::jobs::read(&file)?;
+                vec![submit_job(address, &requirements, &job).await?]
+            }
+            Self::Cancel { number } => {
+                let work = find(address, &number).await?;
+                vec![delete(address, &format!("{WORK}/{work}")).await?]
+            }
+            Self::Give { number } => {
+                let work = find(address, &number).await?;
+                vec![post(address, &format!("{WORK}/{work}/give"), &json!({})).await?]
+            }
+        })
+    }
+}
+
+impl DrawArgs {
+    async fn submit(&self, address: &StationAddress) -> Result<WorkView, Failure> {
+        let name = self.file.as_deref().map(name).transpose()?;
+        let file = self.file.as_deref().map(read).transpose()?;
+        let file = file.map(|bytes| BASE64.encode(&bytes));
+        let drawing = json!({ "name": name, "file": file, "options": self.options.0 });
+        self.requirements.submit(address, "drawing", drawing).await
     }
 }
 
@@ -172,8 +180,7 @@ fn lines(work: &WorkView) -> Vec<String> {
     let phase = format!("{:?}", work.phase).to_lowercase();
     let mut line = format!("{id}  {:12}  {phase:9}  {}", work.student, work.title);
     if let Some(member) = &work.member {
-        let place = place(work, &member.name);
-        line = format!("{line} ({place})");
+        line = format!("{line} ({})", place(work, &member.name));
     }
     let reason = work
         .reason
@@ -188,12 +195,9 @@ fn lines(work: &WorkView) -> Vec<String> {
             "          IN DOUBT: {doubt}; look there, then run `dobot fleet work give {id}` or wait"
         )
     });
-    [line]
-        .into_iter()
-        .chain(reason)
-        .chain(before)
-        .chain(doubt)
-        .collect()
+    let mut lines = vec![line];
+    lines.extend(reason.chain(before).chain(doubt));
+    lines
 }
 
 /// Describes where the work is.

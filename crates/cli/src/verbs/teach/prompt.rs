@@ -90,6 +90,40 @@ enum Question {
     Call,
 }
 
+impl Question {
+    const fn first_place(shape: Shape, name: String) -> Self {
+        Self::Place {
+            shape,
+            name,
+            touched: Vec::new(),
+        }
+    }
+
+    /// Returns which letters an answer may have, and their description.
+    fn letters(&self) -> (fn(char) -> bool, &'static str) {
+        match self {
+            Self::Times => (|letter| letter.is_ascii_digit(), "digits"),
+            Self::Length(_) => (
+                |letter| letter.is_ascii_digit() || letter == '.',
+                "digits and .",
+            ),
+            Self::Size { .. } => (
+                |letter| letter.is_ascii_digit() || letter == 'x',
+                "digits and x",
+            ),
+            Self::LayerPitch { .. } => (
+                |letter| letter.is_ascii_digit() || letter == '.' || letter == '-',
+                "digits, . and -",
+            ),
+            Self::Call => (|letter| !letter.is_control(), "letters"),
+            _ => (
+                |letter| letter.is_alphanumeric() || letter == '_' || letter == '-',
+                "letters, digits, _ and -",
+            ),
+        }
+    }
+}
+
 /// What is taught by three places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Shape {
@@ -200,15 +234,8 @@ impl Prompt {
             Question::Place {
                 shape,
                 name,
-                mut touched,
-            } => match touched.pop() {
-                Some(_) => Question::Place {
-                    shape,
-                    name,
-                    touched,
-                },
-                None => Question::Name(shape),
-            },
+                touched,
+            } => before_place(shape, name, touched),
             Question::Size { name, corners } => Question::Place {
                 shape: Shape::Grid,
                 name,
@@ -233,21 +260,14 @@ impl Prompt {
             (Question::What(_), 'g') => Question::Name(Shape::Grid),
             (Question::What(_), 'f') => Question::Name(Shape::Frame),
             (Question::What(_), 'c') => Question::Call,
-            (Question::Tool, letter) => {
-                let mut tools = Tool::ALL.into_iter();
-                match tools.find(|tool| tool.short().starts_with(letter)) {
-                    Some(tool) => Question::Length(tool),
-                    None => return self.refuse_choice(letter),
-                }
-            }
+            (Question::Tool, letter) => match tool_of(letter) {
+                Some(tool) => Question::Length(tool),
+                None => return self.refuse_choice(letter),
+            },
             (Question::KnownFrame(name), 'u') => {
                 return Outcome::Answered(Answer::UseFrame(Some(name.clone())));
             }
-            (Question::KnownFrame(name), 't') => Question::Place {
-                shape: Shape::Frame,
-                name: name.clone(),
-                touched: Vec::new(),
-            },
+            (Question::KnownFrame(name), 't') => Question::first_place(Shape::Frame, name.clone()),
             _ => return self.refuse_choice(letter),
         };
         self.ask(next)
@@ -263,26 +283,7 @@ impl Prompt {
     }
 
     fn write(&mut self, letter: char) -> Outcome {
-        let (is_allowed, allowed): (fn(char) -> bool, _) = match self.question {
-            Question::Times => (|letter| letter.is_ascii_digit(), "digits"),
-            Question::Length(_) => (
-                |letter| letter.is_ascii_digit() || letter == '.',
-                "digits and .",
-            ),
-            Question::Size { .. } => (
-                |letter| letter.is_ascii_digit() || letter == 'x',
-                "digits and x",
-            ),
-            Question::LayerPitch { .. } => (
-                |letter| letter.is_ascii_digit() || letter == '.' || letter == '-',
-                "digits, . and -",
-            ),
-            Question::Call => (|letter| !letter.is_control(), "letters"),
-            _ => (
-                |letter| letter.is_alphanumeric() || letter == '_' || letter == '-',
-                "letters, digits, _ and -",
-            ),
-        };
+        let (is_allowed, allowed) = self.question.letters();
         if !is_allowed(letter) {
             return Outcome::Refused(format!(
                 "{letter:?} is not allowed here; allowed are {allowed}"
@@ -456,11 +457,25 @@ fn shape_name(shape: Shape, name: &str, program: &Program) -> Result<Question, S
             has_frame && !program.grids.contains_key(name),
         )?;
     }
-    Ok(Question::Place {
-        shape,
-        name: name.to_owned(),
-        touched: Vec::new(),
-    })
+    Ok(Question::first_place(shape, name.to_owned()))
+}
+
+/// Returns the question before the next place: without places that for the name.
+fn before_place(shape: Shape, name: String, mut touched: Vec<RecordedPlace>) -> Question {
+    match touched.pop() {
+        Some(_) => Question::Place {
+            shape,
+            name,
+            touched,
+        },
+        None => Question::Name(shape),
+    }
+}
+
+/// Returns the tool whose short name begins with a letter.
+fn tool_of(letter: char) -> Option<Tool> {
+    let mut tools = Tool::ALL.into_iter();
+    tools.find(|tool| tool.short().starts_with(letter))
 }
 
 fn check_name(name: &str) -> Result<(), String> {

@@ -10,7 +10,7 @@ use super::prompt::{Input, Prompt};
 use super::teacher::Teacher;
 use crate::follow::place;
 use crate::output;
-use crate::pendant::{alarm, answer, held_line, key_line, move_lines};
+use crate::pendant::{answer, draw_top, key_line, move_lines};
 use crate::verbs::watch::panels;
 
 /// Draws the screen.
@@ -30,11 +30,7 @@ pub(crate) fn draw(frame: &mut Frame, teacher: &Teacher) {
         Constraint::Length(answer_height),
     ];
     let [top, alarm_row, arm, program, keys, bottom] = Layout::vertical(rows).areas(frame.area());
-    frame.render_widget(held_line(&teacher.pendant), top);
-    frame.render_widget(alarm(&teacher.pendant), alarm_row);
-    if let Some(state) = teacher.pendant.state() {
-        panels::arm(frame, arm, state);
-    }
+    draw_top(frame, &teacher.pendant, [top, alarm_row, arm]);
     program_panel(frame, program, teacher);
     match &teacher.prompt {
         Some(prompt) => panels::panel(frame, keys, "question", question_of(teacher, prompt)),
@@ -129,36 +125,38 @@ fn question_of<'a>(teacher: &Teacher, prompt: &Prompt) -> Vec<Line<'a>> {
 
 fn keys_of(teacher: &Teacher) -> Vec<Line<'static>> {
     let mut lines = move_lines(&teacher.pendant, STEPS_KEY);
-    lines.extend([
-        key_line(&[
-            ("Enter", "add point"),
-            ("m", "path"),
-            ("u j", "pump on, off"),
-            ("t", "pause"),
-            ("v", "record"),
-        ]),
-        key_line(&[
-            (", .", "step"),
-            ("< >", "move it"),
-            ("Del", "remove"),
-            ("z Z", "undo, redo"),
-            ("w q", "save, quit"),
-        ]),
-        key_line(&[
-            ("a", "add name, repeat, tool, grid, frame, call"),
-            ("e", "end repeat or grid"),
-        ]),
-        key_line(&[
-            ("g", "run"),
-            ("l", "loop"),
-            ("h", "from here"),
-            ("n", "one step"),
-            ("p", "pause"),
-            ("x", "end"),
-        ]),
-    ]);
+    lines.extend(KEYS.map(key_line));
     lines
 }
+
+const KEYS: [&[(&str, &str)]; 4] = [
+    &[
+        ("Enter", "add point"),
+        ("m", "path"),
+        ("u j", "pump on, off"),
+        ("t", "pause"),
+        ("v", "record"),
+    ],
+    &[
+        (", .", "step"),
+        ("< >", "move it"),
+        ("Del", "remove"),
+        ("z Z", "undo, redo"),
+        ("w q", "save, quit"),
+    ],
+    &[
+        ("a", "add name, repeat, tool, grid, frame, call"),
+        ("e", "end repeat or grid"),
+    ],
+    &[
+        ("g", "run"),
+        ("l", "loop"),
+        ("h", "from here"),
+        ("n", "one step"),
+        ("p", "pause"),
+        ("x", "end"),
+    ],
+];
 
 /// The key that toggles steps.
 const STEPS_KEY: &str = "/";

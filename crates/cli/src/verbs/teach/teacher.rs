@@ -235,6 +235,10 @@ impl Teacher {
             }
             self.pendant.send(Request::CancelJob { job: own.job });
         }
+        self.submit(part, start);
+    }
+
+    fn submit(&mut self, part: Part, start: JobStart) {
         let rules = self.settings.rules.clone();
         let arm = match self.pendant.state() {
             Some(state) => PlannedFor::of(rules, state),

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use dobot_api::{LinkPhase, Notice, State};
+use dobot_api::{LinkPhase, Notice, State, StopView};
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout};
 use ratatui::style::{Color, Modifier, Style, Stylize};
@@ -133,13 +133,7 @@ pub(crate) fn alarm_of_state(state: Option<&State>) -> Alarm {
         return alarm(yellow, "waiting for the first report of the station".into());
     };
     if let Some(stop) = &state.stop {
-        let rest = if stop.at_rest {
-            "at rest"
-        } else {
-            "coming to rest"
-        };
-        let text = stop.text().replacen("stopped", "STOPPED", 1);
-        return alarm(red, format!("{text} ({rest})"));
+        return alarm(red, stop_text(stop));
     }
     if state.link.phase != LinkPhase::Up {
         return alarm(yellow, link_alarm(state));
@@ -154,6 +148,16 @@ pub(crate) fn alarm_of_state(state: Option<&State>) -> Alarm {
     let moving = state.arm.as_ref().is_some_and(|arm| arm.moving);
     let text = if moving { "moving" } else { "at rest" };
     alarm(Style::new().fg(Color::Green), text.into())
+}
+
+fn stop_text(stop: &StopView) -> String {
+    let rest = if stop.at_rest {
+        "at rest"
+    } else {
+        "coming to rest"
+    };
+    let text = stop.text().replacen("stopped", "STOPPED", 1);
+    format!("{text} ({rest})")
 }
 
 fn link_alarm(state: &State) -> String {

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use dobot_api::{ArmView, JobView, Notice, State};
+use dobot_api::{ArmView, JobView, LaserView, LinkView, Notice, QueueView, State};
 use dobot_arm::{Degrees, Limits, Span as Range};
 use dobot_wire::Status;
 use ratatui::Frame;
@@ -162,12 +162,6 @@ fn share(completed: usize, commands: usize) -> f64 {
 }
 
 fn tool_lines(state: &State) -> Vec<Line<'static>> {
-    let laser = &state.laser;
-    let laser = match (laser.on, laser.armed_for_s > 0.0) {
-        (true, _) => "on".red().bold(),
-        (false, true) => format!("armed {}", clock(laser.armed_for_s)).yellow(),
-        (false, false) => "disarmed".into(),
-    };
     let mut lines = state
         .arm
         .as_ref()
@@ -185,41 +179,49 @@ fn tool_lines(state: &State) -> Vec<Line<'static>> {
                 ]),
             ]
         });
-    lines.push(Line::from(vec!["laser   ".dim(), laser]));
+    lines.push(Line::from(vec!["laser   ".dim(), laser_text(&state.laser)]));
     lines
 }
 
+fn laser_text(laser: &LaserView) -> ratatui::text::Span<'static> {
+    match (laser.on, laser.armed_for_s > 0.0) {
+        (true, _) => "on".red().bold(),
+        (false, true) => format!("armed {}", clock(laser.armed_for_s)).yellow(),
+        (false, false) => "disarmed".into(),
+    }
+}
+
 fn station_lines(state: &State) -> [Line<'static>; STATION_LINES] {
-    let link = &state.link;
-    let latency = link.latency_ms.map(|ms| format!(", {ms:.0} ms"));
-    let queue = &state.queue;
     let fact = |name: &'static str, text: String| Line::from(vec![name.dim(), text.into()]);
     [
         fact("control ", control(state)),
-        fact(
-            "queue   ",
-            format!(
-                "{} in flight, {} waiting, {} ahead",
-                queue.under_way,
-                queue.waiting,
-                clock(queue.ahead_s)
-            ),
-        ),
-        fact(
-            "link    ",
-            format!(
-                "{:.1} of 12.5/s, {} lost, {} bytes bad{}",
-                link.statuses_per_s,
-                link.lost_statuses,
-                link.damaged_bytes,
-                latency.unwrap_or_default()
-            ),
-        ),
+        fact("queue   ", queue_text(&state.queue)),
+        fact("link    ", link_text(&state.link)),
         fact(
             "clients ",
             format!("{}, running for {}", state.clients, clock(state.at_s)),
         ),
     ]
+}
+
+fn queue_text(queue: &QueueView) -> String {
+    format!(
+        "{} in flight, {} waiting, {} ahead",
+        queue.under_way,
+        queue.waiting,
+        clock(queue.ahead_s)
+    )
+}
+
+fn link_text(link: &LinkView) -> String {
+    let latency = link.latency_ms.map(|ms| format!(", {ms:.0} ms"));
+    format!(
+        "{:.1} of 12.5/s, {} lost, {} bytes bad{}",
+        link.statuses_per_s,
+        link.lost_statuses,
+        link.damaged_bytes,
+        latency.unwrap_or_default()
+    )
 }
 
 fn control(state: &State) -> String {

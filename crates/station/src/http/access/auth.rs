@@ -161,11 +161,7 @@ const FETCH_MODE: HeaderName = HeaderName::from_static("sec-fetch-mode");
 /// Returns the caller, by its token or by the default role.
 fn identify(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Problem> {
     let anyone = |role| Caller {
-        name: if peer.by_fleet {
-            "fleet".to_owned()
-        } else {
-            client_from(peer.from.ip(), request.headers().contains_key(FETCH_SITE))
-        },
+        name: nameless(peer, request),
         role,
         is_person: false,
         token: None,
@@ -187,6 +183,14 @@ fn identify(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Problem
         None if is_open(request) || peer.by_fleet => Ok(anyone(Role::Watch)),
         None => app.without_token.map(anyone).ok_or_else(no_token),
     }
+}
+
+/// Returns the name of a caller without a token.
+fn nameless(peer: &Peer, request: &Request) -> String {
+    if peer.by_fleet {
+        return "fleet".to_owned();
+    }
+    client_from(peer.from.ip(), request.headers().contains_key(FETCH_SITE))
 }
 
 /// Returns the name of a client that gives none: a page, if a browser sends for it, or a program.

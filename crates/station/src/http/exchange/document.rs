@@ -112,12 +112,8 @@ fn operation_id(route: &Route) -> String {
 
 fn parameters(route: &Route, schemas: &mut SchemaGenerator) -> Vec<Value> {
     let mut all: Vec<Value> = route.path.split('/').filter_map(path_parameter).collect();
-    all.extend(
-        route
-            .queries
-            .iter()
-            .map(|query| query_parameter(query, schemas)),
-    );
+    let queries = route.queries.iter();
+    all.extend(queries.map(|query| query_parameter(query, schemas)));
     if route.asks {
         all.push(json!({
             "name": "Dobot-Lease",

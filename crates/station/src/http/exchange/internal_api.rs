@@ -4,7 +4,7 @@ use std::net::{Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 use std::time::Duration;
 
-use axum::body::{Body, to_bytes};
+use axum::body::{Body, Bytes, to_bytes};
 use axum::extract::Request;
 use axum::http::header::{AUTHORIZATION, CONTENT_TYPE, HOST};
 use axum::http::{HeaderValue, Method};
@@ -107,22 +107,18 @@ impl StationApi {
 fn read(asked: &ApiRequest, to: SocketAddr) -> Result<Request, Problem> {
     let method = asked.method.parse::<Method>();
     let method = method.map_err(|_| INVALID.problem("method: not an HTTP method"))?;
-    let header = |name: &str, text: String| {
-        let value = HeaderValue::from_str(&text);
-        value.map_err(|_| INVALID.problem(format!("{name}: allowed are visible characters")))
-    };
     let mut request = Request::builder()
         .method(method)
         .uri(&asked.path)
         .header(HOST, to.to_string());
     if let Some(token) = &asked.token {
-        request = request.header(AUTHORIZATION, header("token", format!("Bearer {token}"))?);
+        request = request.header(AUTHORIZATION, header("token", &format!("Bearer {token}"))?);
     }
     if let Some(lease) = &asked.lease {
-        request = request.header(LEASE, header("lease", lease.clone())?);
+        request = request.header(LEASE, header("lease", lease)?);
     }
     if let Some(key) = &asked.key {
-        request = request.header(KEY, header("key", key.clone())?);
+        request = request.header(KEY, header("key", key)?);
     }
     let body = match &asked.body {
         None => Body::empty(),
@@ -133,6 +129,11 @@ fn read(asked: &ApiRequest, to: SocketAddr) -> Result<Request, Problem> {
     };
     let request = request.body(body);
     request.map_err(|_| MALFORMED.problem("path: not a valid path, as in /api/v1/state"))
+}
+
+fn header(field: &str, text: &str) -> Result<HeaderValue, Problem> {
+    HeaderValue::from_str(text)
+        .map_err(|_| INVALID.problem(format!("{field}: allowed are visible characters")))
 }
 
 /// Reads the whole response.
@@ -147,13 +148,7 @@ async fn answer(response: Response) -> Result<ApiAnswer, Problem> {
         ));
     }
     let is_json = kind.ends_with("json");
-    let body = timeout(WITHIN, to_bytes(response.into_body(), JOB)).await;
-    let body = body.map_err(|_| {
-        let within_s = WITHIN.as_secs();
-        TIMEOUT.problem(format!("the response did not arrive within {within_s} s"))
-    })?;
-    let body =
-        body.map_err(|_| TOO_LARGE.problem(format!("the response has more than {JOB} bytes")))?;
+    let body = whole(response.into_body()).await?;
     let text = || Value::String(String::from_utf8_lossy(&body).into_owned());
     let read = is_json
         .then(|| serde_json::from_slice(&body).ok())
@@ -166,6 +161,15 @@ async fn answer(response: Response) -> Result<ApiAnswer, Problem> {
             None => text(),
         },
     })
+}
+
+async fn whole(body: Body) -> Result<Bytes, Problem> {
+    let body = timeout(WITHIN, to_bytes(body, JOB)).await;
+    let body = body.map_err(|_| {
+        let within_s = WITHIN.as_secs();
+        TIMEOUT.problem(format!("the response did not arrive within {within_s} s"))
+    })?;
+    body.map_err(|_| TOO_LARGE.problem(format!("the response has more than {JOB} bytes")))
 }
 
 /// The timeout for reading a response.

@@ -9,6 +9,7 @@ use axum::http::Uri;
 use axum::http::header::LINK;
 use axum::http::request::Parts;
 use axum::response::{IntoResponse, Response};
+use dobot_api::Problem;
 use dobot_api::problem_kinds::{MALFORMED, OUT_OF_RANGE};
 use schemars::SchemaGenerator;
 use serde::{Deserialize, Serialize};
@@ -68,16 +69,7 @@ impl Page {
         all: &[T],
         name: impl Fn(&T) -> String,
     ) -> Result<Response, RequestFailed> {
-        let begin = match &self.asked.after {
-            None => 0,
-            Some(after) => {
-                let at = all.iter().position(|item| name(item) == *after);
-                let gone = || {
-                    OUT_OF_RANGE.problem(format!("after is {after:?}, which is not in the list any more; start again without it"))
-                };
-                at.ok_or_else(gone)? + 1
-            }
-        };
+        let begin = self.begin(all, &name)?;
         let end = self.asked.limit.map_or(all.len(), |limit| begin + limit);
         let page = &all[begin..end.min(all.len())];
         let body = Json(page).into_response();
@@ -92,6 +84,20 @@ impl Page {
             .parse()
             .map_err(|_| MALFORMED.problem("the name cannot be part of an address"))?;
         Ok(([(LINK, format!("<{next}>; rel=\"next\""))], body).into_response())
+    }
+
+    /// Returns the index of the first item of this page.
+    fn begin<T>(&self, all: &[T], name: impl Fn(&T) -> String) -> Result<usize, Problem> {
+        let Some(after) = &self.asked.after else {
+            return Ok(0);
+        };
+        let at = all.iter().position(|item| name(item) == *after);
+        let gone = || {
+            OUT_OF_RANGE.problem(format!(
+                "after is {after:?}, which is not in the list any more; start again without it"
+            ))
+        };
+        Ok(at.ok_or_else(gone)? + 1)
     }
 }
 

@@ -111,22 +111,14 @@ fn collect(value: &Value, pointer: String, name: String, leaves: &mut Vec<Leaf>)
             for (key, value) in fields {
                 let escaped = key.replace('~', "~0").replace('/', "~1");
                 let dot = if name.is_empty() { "" } else { "." };
-                collect(
-                    value,
-                    format!("{pointer}/{escaped}"),
-                    format!("{name}{dot}{key}"),
-                    leaves,
-                );
+                let pointer = format!("{pointer}/{escaped}");
+                collect(value, pointer, format!("{name}{dot}{key}"), leaves);
             }
         }
         Value::Array(items) => {
             for (index, value) in items.iter().enumerate() {
-                collect(
-                    value,
-                    format!("{pointer}/{index}"),
-                    format!("{name}[{index}]"),
-                    leaves,
-                );
+                let pointer = format!("{pointer}/{index}");
+                collect(value, pointer, format!("{name}[{index}]"), leaves);
             }
         }
         _ => leaves.push(Leaf { pointer, name }),

@@ -9,7 +9,9 @@ use axum::extract::State;
 use axum::response::sse::{Event, KeepAlive, Sse};
 use axum::{Extension, Json};
 use dobot_api::problem_kinds::{GIVES_NO_ARMS, NO_FLEET, UNAUTHORISED};
-use dobot_api::{ApiRequest, FleetView, Member, MemberAnswer, Problem, Recipients, Role};
+use dobot_api::{
+    ApiRequest, FleetView, FleetWideStop, Member, MemberAnswer, Problem, Recipients, Role,
+};
 use dobot_supervisor::StoppedBy;
 use futures_util::Stream;
 use schemars::JsonSchema;
@@ -146,16 +148,8 @@ pub(crate) async fn stop(
     Maybe(wanted): Maybe<FleetStop>,
 ) -> Result<Json<Vec<MemberAnswer>>, RequestFailed> {
     let port = requester.app.fleet()?;
-    let reason = wanted.reason;
     let fleet = if wanted.to == Recipients::All {
-        let by = StoppedBy {
-            by: requester.at(port),
-            reason: reason.clone(),
-            ..StoppedBy::default()
-        };
-        // Even if this station is ending, the others are stopped.
-        let stopped = requester.app.handle.stop_fleet(port.id(), by).await;
-        stopped.ok().map(|(stop, _)| stop)
+        stop_fleet(&requester, port, wanted.reason.clone()).await
     } else {
         None
     };
@@ -163,23 +157,43 @@ pub(crate) async fn stop(
     let request = ApiRequest {
         method: "POST".into(),
         path: routes::STOP.into(),
-        body: Some(serde_json::json!({ "reason": reason, "fleet": fleet })),
+        body: Some(serde_json::json!({ "reason": wanted.reason, "fleet": fleet })),
         ..ApiRequest::default()
     };
     let answers = port.ask(&wanted.to, request).await?;
     if fleet.is_some() {
-        let failed = answers.iter().filter(|answer| !answer.answer.is_success());
-        let failed: HashSet<_> = failed.map(|answer| (&answer.member, &answer.id)).collect();
-        let members = port.members();
-        let silent = members
-            .iter()
-            .filter(|answer| failed.contains(&(&answer.name, &answer.id)));
-        let silent = silent.cloned().collect();
+        let silent = silent(&port.members(), &answers);
         let port = port.clone();
         // The stop is sent until they answer; the requester does not wait for that.
         tokio::spawn(async move { drop(port.send_stops(silent).await) });
     }
     Ok(Json(answers))
+}
+
+/// Stops the whole fleet from this station; `None` if this station is ending. Even then the others are
+/// stopped.
+async fn stop_fleet(
+    requester: &Requester,
+    port: &FleetPort,
+    reason: Option<String>,
+) -> Option<FleetWideStop> {
+    let by = StoppedBy {
+        by: requester.at(port),
+        reason,
+        ..StoppedBy::default()
+    };
+    let stopped = requester.app.handle.stop_fleet(port.id(), by).await;
+    stopped.ok().map(|(stop, _)| stop)
+}
+
+/// Returns the members that have not carried out the request.
+fn silent(members: &[Arc<Member>], answers: &[MemberAnswer]) -> Vec<Arc<Member>> {
+    let failed = answers.iter().filter(|answer| !answer.answer.is_success());
+    let failed: HashSet<_> = failed.map(|answer| (&answer.member, &answer.id)).collect();
+    let silent = members
+        .iter()
+        .filter(|member| failed.contains(&(&member.name, &member.id)));
+    silent.cloned().collect()
 }
 
 /// Resets a stop of the whole fleet.

@@ -79,24 +79,34 @@ pub(crate) async fn offer(
         return Ok(Json(answered(known)?));
     }
     let student = offered.student.clone();
-    let ask = match port.takes_work() {
-        Some(takes_work) => match not_now(app, port, takes_work, &student) {
-            Some(reason) => OfferRequest::Refuse { reason, busy: true },
-            None => offered.ask(app, &key).await?,
-        },
-        None => OfferRequest::Refuse {
-            busy: false,
-            reason: format!(
-                "{} accepts no jobs of its fleet; allow it with `dobot up --takes-work`",
-                port.name()
-            ),
-        },
-    };
+    let ask = response(app, port, offered, &key).await?;
     let job = answered(app.handle.offer(&key, ask).await?)?;
     if job.phase == JobPhase::Queued && port.takes_work() == Some(TakesWork::Start) {
         tokio::spawn(start(app.handle.clone(), job.job, student));
     }
     Ok(Json(job))
+}
+
+/// Returns the request to the driver: to take the job, or to refuse it under this key.
+async fn response(
+    app: &App,
+    port: &FleetPort,
+    offered: FleetOffer,
+    key: &str,
+) -> Result<OfferRequest, Problem> {
+    let Some(takes_work) = port.takes_work() else {
+        return Ok(OfferRequest::Refuse {
+            busy: false,
+            reason: format!(
+                "{} accepts no jobs of its fleet; allow it with `dobot up --takes-work`",
+                port.name()
+            ),
+        });
+    };
+    match not_now(app, port, takes_work, &offered.student) {
+        Some(reason) => Ok(OfferRequest::Refuse { reason, busy: true }),
+        None => offered.ask(app, key).await,
+    }
 }
 
 /// Returns the state of an offer.
@@ -154,14 +164,19 @@ impl FleetOffer {
             }
             _ => return Err(INVALID.problem("an offer must have a drawing or a job, not both")),
         };
-        let by = format!(" ({})", self.student);
-        let room = LONGEST_TITLE.saturating_sub(by.chars().count());
-        job.title = job.title.chars().take(room).chain(by.chars()).collect();
+        job.title = title_by(&job.title, &self.student);
         Ok(OfferRequest::Take {
             job: Box::new(job),
             made_for: Some(made_for),
         })
     }
+}
+
+/// Adds the student to the title of a job, which is cut if necessary.
+fn title_by(title: &str, student: &str) -> String {
+    let by = format!(" ({student})");
+    let room = LONGEST_TITLE.saturating_sub(by.chars().count());
+    title.chars().take(room).chain(by.chars()).collect()
 }
 
 fn calibration(numbers: Option<Vec<f64>>) -> Result<Calibration, Problem> {

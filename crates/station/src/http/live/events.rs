@@ -59,16 +59,7 @@ pub(crate) async fn events(
     let place = app.place()?;
     let notices = wants.notices().then(|| app.handle.notices());
     let states = StateStream::new(app.handle.every_state(), wants.states());
-    let mut first = Vec::new();
-    if states.is_wanted() {
-        first.push(state_event(&state_message(&app.handle.state())));
-    }
-    if let (Some(seen), true) = (seen, wants.notices()) {
-        let recent = app.handle.recent();
-        let missed = recent.iter().filter(|recent| recent.number > seen);
-        first.extend(missed.map(|notice| notice_event(notice)));
-    }
-    first.reverse();
+    let first = first_events(&app, seen.filter(|_| wants.notices()), states.is_wanted());
     let watching = Watching {
         states,
         notices,
@@ -81,6 +72,22 @@ pub(crate) async fn events(
         Some((Ok(event), notice))
     });
     Ok(Sse::new(stream).keep_alive(KeepAlive::new().interval(ALIVE_EVERY)))
+}
+
+/// Returns the current state, if wanted, and the notices after the one with the number `seen`, in reverse
+/// order.
+fn first_events(app: &App, seen: Option<u64>, with_state: bool) -> Vec<Event> {
+    let mut first = Vec::new();
+    if with_state {
+        first.push(state_event(&state_message(&app.handle.state())));
+    }
+    if let Some(seen) = seen {
+        let recent = app.handle.recent();
+        let missed = recent.iter().filter(|recent| recent.number > seen);
+        first.extend(missed.map(|notice| notice_event(notice)));
+    }
+    first.reverse();
+    first
 }
 
 impl Watching {

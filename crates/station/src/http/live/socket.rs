@@ -127,11 +127,7 @@ pub(crate) async fn upgrade(
     let person = caller.person(&name);
     let client = app.handle.page_of(&name, caller.role, person, wants.device);
     let client = client.await?;
-    let largest = if caller.role >= Role::Queue {
-        JOB
-    } else {
-        BODY
-    };
+    let largest = largest_message(caller.role);
     let upgrade = upgrade
         .protocols(["dobot"])
         .read_buffer_size(READ_AT_ONCE)
@@ -143,4 +139,9 @@ pub(crate) async fn upgrade(
         connection.run(&mut incoming, &mut outgoing).await;
         drop((place, peer));
     }))
+}
+
+/// Returns the length of the largest message of a client, in bytes.
+fn largest_message(role: Role) -> usize {
+    if role >= Role::Queue { JOB } else { BODY }
 }

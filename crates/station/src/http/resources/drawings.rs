@@ -186,6 +186,13 @@ impl Drawings {
         kept.make_room()?;
         kept.last += 1;
         let number = kept.last;
+        let drawing = self.plan_in_task(number, new, planned_for);
+        let view = drawing.view(number);
+        kept.drawings.insert(number, drawing);
+        Ok(view)
+    }
+
+    fn plan_in_task(&self, number: u64, new: NewDrawing, planned_for: PlannedFor) -> Drawing {
         let title = new.title();
         let stored = new.stored.map(|file| (file, new.options.clone()));
         let cancel = CancelToken::default();
@@ -198,16 +205,13 @@ impl Drawings {
             cancel: cancel.clone(),
         };
         let work = tokio::spawn(work.run(self.slots.clone(), sender)).abort_handle();
-        let drawing = Drawing {
+        Drawing {
             title,
             stored,
             cancel,
             progress,
             work,
-        };
-        let view = drawing.view(number);
-        kept.drawings.insert(number, drawing);
-        Ok(view)
+        }
     }
 
     /// Returns a drawing as JSON when its plan is done, or after a second at the latest.
@@ -486,17 +490,7 @@ impl Work {
         });
         // A plan may be large, and its client may never return.
         tokio::time::sleep(KEPT_FOR).await;
-        let kept_min = KEPT_FOR.as_secs() / 60;
-        sender.send_if_modified(|progress| {
-            let is_planned = matches!(progress, Progress::Planned(_));
-            if is_planned {
-                *progress = Progress::Failed(BAD_DRAWING.hinted(
-                    format!("its plan was deleted after {kept_min} minutes"),
-                    "plan it again",
-                ));
-            }
-            is_planned
-        });
+        delete_plan(&sender);
     }
 
     fn planned(mut self) -> Result<Planned, Problem> {
@@ -544,6 +538,20 @@ impl Work {
             frame: frame.map_err(|why| why.to_string()),
         })
     }
+}
+
+fn delete_plan(sender: &watch::Sender<Progress>) {
+    let kept_min = KEPT_FOR.as_secs() / 60;
+    sender.send_if_modified(|progress| {
+        let is_planned = matches!(progress, Progress::Planned(_));
+        if is_planned {
+            *progress = Progress::Failed(BAD_DRAWING.hinted(
+                format!("its plan was deleted after {kept_min} minutes"),
+                "plan it again",
+            ));
+        }
+        is_planned
+    });
 }
 
 fn sketched(name: &str, content: Vec<u8>, until: CancelToken) -> Result<Option<Sketch>, Problem> {

@@ -114,38 +114,38 @@ impl Page {
         let status = &arm.status;
         self.gauge("dobot_arm_moving", "Whether the arm is moving", arm.moving);
         self.gauge("dobot_suction_on", "Whether the pump is on", status.suction);
-        self.begin(
+        let position = [("x", status.x_mm), ("y", status.y_mm), ("z", status.z_mm)];
+        self.gauges(
             "dobot_arm_position_millimetres",
             "Position of the arm",
-            "gauge",
+            "axis",
+            &position,
         );
-        let axes = [("x", status.x_mm), ("y", status.y_mm), ("z", status.z_mm)];
-        for (axis, value) in axes {
-            self.sample(
-                "dobot_arm_position_millimetres",
-                &format!("axis=\"{axis}\""),
-                value,
-            );
-        }
-        self.begin("dobot_arm_joint_degrees", "Angles of the joints", "gauge");
         let joints = [
             ("base", status.base_deg),
             ("rear", status.rear_deg),
             ("fore", status.fore_deg),
             ("servo", status.servo_deg),
         ];
-        for (joint, value) in joints {
-            self.sample(
-                "dobot_arm_joint_degrees",
-                &format!("joint=\"{joint}\""),
-                value,
-            );
-        }
+        self.gauges(
+            "dobot_arm_joint_degrees",
+            "Angles of the joints",
+            "joint",
+            &joints,
+        );
     }
 
     fn gauge(&mut self, name: &str, help: &str, value: impl Value) {
         self.begin(name, help, "gauge");
         self.sample(name, "", value);
+    }
+
+    /// Adds a gauge with a value for each value of a label.
+    fn gauges<V: Value + Copy>(&mut self, name: &str, help: &str, label: &str, all: &[(&str, V)]) {
+        self.begin(name, help, "gauge");
+        for &(item, value) in all {
+            self.sample(name, &format!("{label}=\"{item}\""), value);
+        }
     }
 
     fn counter(&mut self, name: &str, help: &str, value: impl Value) {

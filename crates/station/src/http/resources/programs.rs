@@ -8,8 +8,9 @@ use dobot_api::{NewJob, Problem};
 use dobot_draw::ProgramFiles;
 use dobot_host::{PlannedFor, ProgramJobError, dry_run_program, program_job};
 use dobot_teach::{
-    Action, Files, Frame, Go, GridSize, Point, Program, ProgramDocument, ProgramError, ProgramForm,
-    RecordedPlace, Steps, TaughtGrid, Times, ToolState, path_steps, simplified, with_content,
+    Action, CompiledStep, Files, Frame, Go, GridSize, Point, Program, ProgramDocument,
+    ProgramError, ProgramForm, RecordedPlace, Steps, TaughtGrid, Times, ToolState, path_steps,
+    simplified, with_content,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -302,21 +303,23 @@ pub(crate) fn report(program: &ProgramText, arm: &PlannedFor) -> ProgramReport {
     };
     let steps = compiled.steps.iter().zip(&found.steps_s);
     ProgramReport {
-        steps: steps
-            .map(|(step, &takes_s)| StepReport {
-                label: step.label.to_string(),
-                file: step.file.as_deref().map(str::to_owned),
-                line: step.line,
-                first: step.first,
-                takes_s,
-            })
-            .collect(),
+        steps: steps.map(step_report).collect(),
         problems: found.problems.into_iter().map(problem).collect(),
         once_s: found.first_s,
         cycle_s: found.cycle_s,
         total_s: found.total_s,
         depends_on_answers: found.depends_on_answers,
         title: compiled.title,
+    }
+}
+
+fn step_report((step, &takes_s): (&CompiledStep, &f64)) -> StepReport {
+    StepReport {
+        label: step.label.to_string(),
+        file: step.file.as_deref().map(str::to_owned),
+        line: step.line,
+        first: step.first,
+        takes_s,
     }
 }
 
@@ -373,16 +376,7 @@ pub(crate) fn job(new: &NewProgram, arm: &PlannedFor) -> Result<NewJob, Problem>
 
 /// Edits the text of a program.
 pub(crate) fn edit(asked: EditProgram) -> Result<EditedProgram, Problem> {
-    for edit in &asked.edits {
-        if let Edit::InsertPath { tolerance_mm, .. } = edit
-            && !TOLERANCE_MM.contains(tolerance_mm)
-        {
-            let (least, most) = (TOLERANCE_MM.start(), TOLERANCE_MM.end());
-            return Err(OUT_OF_RANGE.problem(format!(
-                "tolerance_mm is {tolerance_mm}; allowed are {least} to {most}"
-            )));
-        }
-    }
+    asked.edits.iter().try_for_each(check_tolerance)?;
     let bad = |error: ProgramError| BAD_PROGRAM.problem(error.to_string());
     let mut edits = asked.edits.into_iter();
     let mut document = if asked.text.trim().is_empty() {
@@ -400,6 +394,18 @@ pub(crate) fn edit(asked: EditProgram) -> Result<EditedProgram, Problem> {
     })
 }
 
+fn check_tolerance(edit: &Edit) -> Result<(), Problem> {
+    if let Edit::InsertPath { tolerance_mm, .. } = edit
+        && !TOLERANCE_MM.contains(tolerance_mm)
+    {
+        let (least, most) = (TOLERANCE_MM.start(), TOLERANCE_MM.end());
+        return Err(OUT_OF_RANGE.problem(format!(
+            "tolerance_mm is {tolerance_mm}; allowed are {least} to {most}"
+        )));
+    }
+    Ok(())
+}
+
 /// Starts a new program with the first edit.
 fn begin(first: Option<Edit>) -> Result<ProgramDocument, Problem> {
     let bad = |error: ProgramError| BAD_PROGRAM.problem(error.to_string());
@@ -409,12 +415,7 @@ fn begin(first: Option<Edit>) -> Result<ProgramDocument, Problem> {
         size,
     }) = &first
     {
-        let visit = Action::Each(vec![name.clone()], Steps::new(vec![visit(name)]));
-        let taught = TaughtGrid::of(name, corners, *size).map_err(bad)?;
-        let mut program = Program::new(vec![visit]);
-        program.frames.insert(name.clone(), taught.frame);
-        program.grids.insert(name.clone(), taught.grid);
-        return ProgramDocument::new(&program.to_toml()).map_err(bad);
+        return begin_grid(name, corners, *size).map_err(bad);
     }
     let actions = match first {
         Some(Edit::Insert { at: 0, step }) => vec![step],
@@ -433,6 +434,20 @@ fn begin(first: Option<Edit>) -> Result<ProgramDocument, Problem> {
     ProgramDocument::new(&text).map_err(bad)
 }
 
+/// Starts a new program that visits all points of a grid.
+fn begin_grid(
+    name: &str,
+    corners: &[RecordedPlace; 3],
+    size: GridSize,
+) -> Result<ProgramDocument, ProgramError> {
+    let visit = Action::Each(vec![name.to_owned()], Steps::new(vec![visit(name)]));
+    let taught = TaughtGrid::of(name, corners, size)?;
+    let mut program = Program::new(vec![visit]);
+    program.frames.insert(name.to_owned(), taught.frame);
+    program.grids.insert(name.to_owned(), taught.grid);
+    ProgramDocument::new(&program.to_toml())
+}
+
 fn visit(grid: &str) -> Action {
     Action::Go(Go::to(grid))
 }
@@ -444,13 +459,7 @@ fn apply(document: &mut ProgramDocument, edit: Edit) -> Result<(), ProgramError>
             at,
             places,
             tolerance_mm,
-        } => {
-            let steps = document.program()?.steps.0;
-            let before = ToolState::behind(&steps[..at.min(steps.len())]);
-            let path = path_steps(&simplified(&places, tolerance_mm), before);
-            let mut path = path.into_iter().enumerate();
-            path.try_for_each(|(index, step)| document.insert(&[at + index], step))
-        }
+        } => insert_path(document, at, &simplified(&places, tolerance_mm)),
         Edit::Replace { at, step } => document.replace(&[at], step),
         Edit::Remove { at } => document.remove(&[at]),
         Edit::Move { from, to } => document.move_step(&[from], &[to]),
@@ -467,6 +476,17 @@ fn apply(document: &mut ProgramDocument, edit: Edit) -> Result<(), ProgramError>
         }
         Edit::SetFrame { name, places } => document.set_frame(&name, &Frame::touched(&places)),
     }
+}
+
+fn insert_path(
+    document: &mut ProgramDocument,
+    at: usize,
+    places: &[RecordedPlace],
+) -> Result<(), ProgramError> {
+    let steps = document.program()?.steps.0;
+    let before = ToolState::behind(&steps[..at.min(steps.len())]);
+    let mut path = path_steps(places, before).into_iter().enumerate();
+    path.try_for_each(|(index, step)| document.insert(&[at + index], step))
 }
 
 /// Returns the files that came with a program.

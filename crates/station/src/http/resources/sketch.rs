@@ -81,10 +81,6 @@ impl Sketch {
             detail_mm *= 1.5;
             path = path_of(lines, detail_mm);
         }
-        let length = |line: &Line| -> f64 {
-            let pairs = line.windows(2);
-            pairs.map(|pair| distance(pair[0], pair[1])).sum()
-        };
         Some(Self {
             view_mm: [left, top, width, height].map(rounded),
             path,
@@ -114,15 +110,19 @@ fn path_of(lines: &[Line], detail_mm: f64) -> String {
             path.push_str("h.01");
             continue;
         }
-        let mut last = first;
-        for (index, &corner) in rest.iter().enumerate() {
-            if distance(last, corner) >= detail_mm || index + 1 == rest.len() {
-                add(&mut path, 'L', corner);
-                last = corner;
-            }
-        }
+        add_corners(&mut path, first, rest, detail_mm);
     }
     path
+}
+
+fn add_corners(path: &mut String, first: [f64; 2], rest: &[[f64; 2]], detail_mm: f64) {
+    let mut last = first;
+    for (index, &corner) in rest.iter().enumerate() {
+        if distance(last, corner) >= detail_mm || index + 1 == rest.len() {
+            add(path, 'L', corner);
+            last = corner;
+        }
+    }
 }
 
 fn add(path: &mut String, letter: char, [right, down]: [f64; 2]) {
@@ -132,6 +132,11 @@ fn add(path: &mut String, letter: char, [right, down]: [f64; 2]) {
 /// The place at which a person behind the arm sees a position.
 fn seen(x_mm: f64, y_mm: f64) -> [f64; 2] {
     [-y_mm, -x_mm]
+}
+
+fn length(line: &Line) -> f64 {
+    let pairs = line.windows(2);
+    pairs.map(|pair| distance(pair[0], pair[1])).sum()
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

@@ -1,10 +1,13 @@
 //! Control of the arm.
 
+use std::sync::Arc;
+
 use axum::Json;
 use dobot_api::problem_kinds::{
     BAD_SLOTS, INVALID, LOCKED, NO_LEASE, NOT_ASKING, SLOT, TOO_MANY_CLIENTS,
 };
 use dobot_api::{ClientId, LeaseView, Problem, Reply, Request, TimeSlot};
+use dobot_host::Client;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -187,11 +190,7 @@ async fn hold(
     let app = &requester.app;
     let token = match &requester.lease {
         Some(token) => token.clone(),
-        None => app
-            .http_leases
-            .keep(client, requester.caller.clone(), app.now())?
-            .secret()
-            .into(),
+        None => new_token(&requester, client)?,
     };
     let lease = match reply {
         Reply::Lease { lease } => lease,
@@ -202,6 +201,15 @@ async fn hold(
         lasts_s: LASTS.as_secs(),
         lease,
     }))
+}
+
+/// Stores a client with a new token.
+fn new_token(requester: &Requester, client: Arc<Client>) -> Result<String, Problem> {
+    let app = &requester.app;
+    let token = app
+        .http_leases
+        .keep(client, requester.caller.clone(), app.now())?;
+    Ok(token.secret().into())
 }
 
 /// Returns the client's requested name, or the name of its token.

@@ -97,22 +97,34 @@ fn pcapng<'a>(bytes: &'a [u8], frames: &mut Vec<Frame<'a>>) -> anyhow::Result<()
         let block = slice(bytes, at, len).filter(|block| block.len() >= 12);
         let block = block.ok_or_else(|| cut(at, len))?;
         let body = &block[8..block.len() - 4];
-        match kind {
-            INTERFACE => interfaces.push(
-                Interface::of(order, body)
-                    .with_context(|| format!("byte {at}: an interface is incomplete"))?,
-            ),
-            PACKET | SIMPLE_PACKET => {
-                let frame = frame(order, &interfaces, kind, body);
-                frames.push(frame.with_context(|| {
-                    format!("byte {at}: a packet is incomplete, or its interface does not exist")
-                })?);
-            }
-            _ => {}
-        }
+        handle_block(order, kind, body, &mut interfaces, frames)
+            .with_context(|| format!("byte {at}: {}", incomplete(kind)))?;
         at += block.len().next_multiple_of(4);
     }
     Ok(())
+}
+
+/// Adds the interface or the packet of a block; `None` if it is incomplete.
+fn handle_block<'a>(
+    order: Order,
+    kind: u32,
+    body: &'a [u8],
+    interfaces: &mut Vec<Interface>,
+    frames: &mut Vec<Frame<'a>>,
+) -> Option<()> {
+    match kind {
+        INTERFACE => interfaces.push(Interface::of(order, body)?),
+        PACKET | SIMPLE_PACKET => frames.push(frame(order, interfaces, kind, body)?),
+        _ => {}
+    }
+    Some(())
+}
+
+const fn incomplete(kind: u32) -> &'static str {
+    match kind {
+        INTERFACE => "an interface is incomplete",
+        _ => "a packet is incomplete, or its interface does not exist",
+    }
 }
 
 /// An interface of a pcapng file.
@@ -152,18 +164,7 @@ fn frame<'a>(
     body: &'a [u8],
 ) -> Option<Frame<'a>> {
     if kind == SIMPLE_PACKET {
-        let interface = interfaces.first()?;
-        let limit = if interface.longest == 0 {
-            u32::MAX
-        } else {
-            interface.longest
-        };
-        let data = slice(body, 4, order.long(body, 0)?.min(limit))?;
-        return Some(Frame {
-            link: interface.link,
-            at_ns: None,
-            data,
-        });
+        return simple_frame(order, interfaces.first()?, body);
     }
     let interface = interfaces.get(usize::try_from(order.long(body, 0)?).ok()?)?;
     let at_ns = interface.at_ns(order.long(body, 4)?, order.long(body, 8)?);
@@ -171,6 +172,19 @@ fn frame<'a>(
     Some(Frame {
         link: interface.link,
         at_ns,
+        data,
+    })
+}
+
+fn simple_frame<'a>(order: Order, interface: &Interface, body: &'a [u8]) -> Option<Frame<'a>> {
+    let limit = match interface.longest {
+        0 => u32::MAX,
+        longest => longest,
+    };
+    let data = slice(body, 4, order.long(body, 0)?.min(limit))?;
+    Some(Frame {
+        link: interface.link,
+        at_ns: None,
         data,
     })
 }

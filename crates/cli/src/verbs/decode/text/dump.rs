@@ -114,8 +114,17 @@ impl Style {
             Self::Hexdump => rest.split('|').next(),
             Self::Od => rest.split('>').next(),
         };
+        let bytes = self.bytes(number, digits.unwrap_or_default())?;
+        Ok(Row::Bytes {
+            number,
+            offset,
+            bytes,
+        })
+    }
+
+    fn bytes(self, number: usize, digits: &str) -> anyhow::Result<Vec<u8>> {
         let mut bytes = Vec::new();
-        for word in digits.unwrap_or_default().split_whitespace() {
+        for word in digits.split_whitespace() {
             let read = hex_bytes(word).filter(|read| self == Self::Xxd || read.len() == 1);
             bytes.extend(read.ok_or_else(|| {
                 anyhow!(
@@ -124,11 +133,7 @@ impl Style {
                 )
             })?);
         }
-        Ok(Row::Bytes {
-            number,
-            offset,
-            bytes,
-        })
+        Ok(bytes)
     }
 }
 

@@ -39,19 +39,7 @@ impl Lesson {
         }
         let program = self.program();
         let (kind, path) = self.selected();
-        let block = match (kind, &path[..]) {
-            (RowKind::Head, _) => {
-                return Err(ProgramError::new(
-                    "this is the beginning; select the last step of the repeat, and press e",
-                ));
-            }
-            (_, [block @ .., _]) if !block.is_empty() => block.to_vec(),
-            _ => {
-                return Err(ProgramError::new(
-                    "the selected step is not inside a repeat or an each; a begins one",
-                ));
-            }
-        };
+        let block = enclosing_block(kind, &path)?;
         let action = step_at(&program, &block).ok_or_else(super::nothing_yet)?;
         if is_endless(action) {
             return Err(ProgramError::new(
@@ -72,17 +60,7 @@ impl Lesson {
     /// Removes the selected step, with the steps inside it.
     pub(crate) fn remove(&mut self) -> Result<(), ProgramError> {
         let (kind, path) = self.selected();
-        match kind {
-            RowKind::Start if self.document.is_some() => {
-                return Err(ProgramError::new("no step is selected; , and . select one"));
-            }
-            RowKind::End => {
-                return Err(ProgramError::new(
-                    "this is an end; to remove a repeat with its steps, select its beginning",
-                ));
-            }
-            _ => {}
-        }
+        check_removable(kind, self.document.is_some())?;
         let program = self.program();
         let outer = path.split_last().map(|(_, block)| block);
         if let Some(block) = outer.and_then(|block| step_at(&program, block))
@@ -164,5 +142,30 @@ fn shifted(program: &Program, path: &[usize], down: bool) -> Option<Vec<usize>> 
             let (at, outer) = block.split_last()?;
             Some([outer, &[at + usize::from(down)]].concat())
         }
+    }
+}
+
+/// Returns the path of the repeat or the `each` around a step.
+fn enclosing_block(kind: RowKind, path: &[usize]) -> Result<Vec<usize>, ProgramError> {
+    match (kind, path) {
+        (RowKind::Head, _) => Err(ProgramError::new(
+            "this is the beginning; select the last step of the repeat, and press e",
+        )),
+        (_, [block @ .., _]) if !block.is_empty() => Ok(block.to_vec()),
+        _ => Err(ProgramError::new(
+            "the selected step is not inside a repeat or an each; a begins one",
+        )),
+    }
+}
+
+fn check_removable(kind: RowKind, has_steps: bool) -> Result<(), ProgramError> {
+    match kind {
+        RowKind::Start if has_steps => {
+            Err(ProgramError::new("no step is selected; , and . select one"))
+        }
+        RowKind::End => Err(ProgramError::new(
+            "this is an end; to remove a repeat with its steps, select its beginning",
+        )),
+        _ => Ok(()),
     }
 }

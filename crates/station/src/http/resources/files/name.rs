@@ -55,14 +55,18 @@ pub(super) fn check_name(name: &str) -> Result<(), Problem> {
         )));
     }
     if FileKind::of(name).is_none() {
-        let extensions = FORMATS.iter().flat_map(|format| format.extensions);
-        let all: Vec<&str> = extensions.copied().chain(PROGRAMS).collect();
-        return Err(FILE_NAME.problem(format!(
-            "the name {name:?} has no known ending; allowed are .{}",
-            all.join(", .")
-        )));
+        return Err(unknown_ending(name));
     }
     Ok(())
+}
+
+fn unknown_ending(name: &str) -> Problem {
+    let extensions = FORMATS.iter().flat_map(|format| format.extensions);
+    let all: Vec<&str> = extensions.copied().chain(PROGRAMS).collect();
+    FILE_NAME.problem(format!(
+        "the name {name:?} has no known ending; allowed are .{}",
+        all.join(", .")
+    ))
 }
 
 /// The endings of programs, of this project and of the vendor's software.

@@ -108,18 +108,23 @@ impl Store {
             let Some(number) = name.to_str().and_then(|name| name.parse().ok()) else {
                 continue;
             };
-            store.last = store.last.max(number);
-            match store.read(number) {
-                Ok(Some(about)) => drop(store.files.insert(number, about)),
-                // It was being added or deleted when the station ended.
-                Ok(None) => drop(std::fs::remove_dir_all(store.place(number))),
-                Err(why) => store.damaged.push(format!(
-                    "{} cannot be read: {why}",
-                    store.about(number).display()
-                )),
-            }
+            store.take_in(number);
         }
         Ok(store)
+    }
+
+    /// Reads the folder with this number.
+    fn take_in(&mut self, number: u64) {
+        self.last = self.last.max(number);
+        match self.read(number) {
+            Ok(Some(about)) => drop(self.files.insert(number, about)),
+            // It was being added or deleted when the station ended.
+            Ok(None) => drop(std::fs::remove_dir_all(self.place(number))),
+            Err(why) => self.damaged.push(format!(
+                "{} cannot be read: {why}",
+                self.about(number).display()
+            )),
+        }
     }
 
     /// Reads what is known about a file, and removes contents that are not in use.
@@ -259,22 +264,14 @@ impl Store {
             ..old.clone()
         };
         if let Some(name) = change.name.filter(|name| *name != old.name) {
-            check_name(&name)?;
-            if let Some(other) = self.named(&name) {
-                return Err(exists(&name, other));
-            }
+            self.check_free(&name)?;
             about.name = name;
         }
         let content = change
             .content
             .filter(|content| digest(content) != old.sha256);
         if let Some(content) = &content {
-            self.check_room(content.len() as u64, Some(number))?;
-            about.content = about.revision;
-            about.bytes = content.len() as u64;
-            about.sha256 = digest(content);
-            (about.sketch, about.problem) = (None, None);
-            self.save_content(number, &about, content)?;
+            self.replace_content(number, &mut about, content)?;
         }
         self.save(number, about)?;
         if content.is_some() {
@@ -282,6 +279,26 @@ impl Store {
             let _ = std::fs::remove_file(self.content_path(number, &old));
         }
         Ok(content.is_some())
+    }
+
+    fn check_free(&self, name: &str) -> Result<(), Problem> {
+        check_name(name)?;
+        let other = self.named(name);
+        other.map_or(Ok(()), |other| Err(exists(name, other)))
+    }
+
+    fn replace_content(
+        &self,
+        number: u64,
+        about: &mut About,
+        content: &[u8],
+    ) -> Result<(), Problem> {
+        self.check_room(content.len() as u64, Some(number))?;
+        about.content = about.revision;
+        about.bytes = content.len() as u64;
+        about.sha256 = digest(content);
+        (about.sketch, about.problem) = (None, None);
+        self.save_content(number, about, content)
     }
 
     /// Saves the picture of a content, or why there is none, unless the content has changed.
