@@ -48,13 +48,7 @@ impl Goals {
         loop {
             tokio::select! {
                 goal = self.server.receive_new_goal() => match goal {
-                    Ok(goal) => {
-                        let (goals, busy) = (self.clone(), busy.clone());
-                        tokio::spawn(async move {
-                            goals.take(goal).await;
-                            drop(busy);
-                        });
-                    }
+                    Ok(goal) => self.spawn(goal, busy.clone()),
                     Err(error) => self.log.warn(&format!("cannot read a goal: {error:?}")),
                 },
                 cancel = self.server.receive_cancel_request() => match cancel {
@@ -84,6 +78,15 @@ impl Goals {
                 cancel.send_replace(true);
             }
         }
+    }
+
+    /// Takes a goal in a task; `busy` is dropped at its end.
+    fn spawn(self: &Arc<Self>, goal: NewGoalHandle<FollowGoal>, busy: mpsc::Sender<()>) {
+        let goals = self.clone();
+        tokio::spawn(async move {
+            goals.take(goal).await;
+            drop(busy);
+        });
     }
 
     /// Accepts a goal. An invalid goal is accepted too and aborted immediately, since a rejection
@@ -116,11 +119,8 @@ impl Goals {
         executing: &ExecutingGoalHandle<FollowGoal>,
         cancelled: &mut watch::Receiver<bool>,
     ) -> Result<Followed, Fault> {
-        let mut station = self
-            .station
-            .connect("trajectory")
-            .await
-            .map_err(Fault::invalid)?;
+        let station = self.station.connect("trajectory").await;
+        let mut station = station.map_err(Fault::invalid)?;
         let stand = take_at_rest(&mut station).await.map_err(Fault::invalid)?;
         let Stand { status, period } = stand;
         let wanted = Wanted::new(goal, degrees_of(&status), Time::now())?;
