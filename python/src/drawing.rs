@@ -79,7 +79,19 @@ impl Drawing {
         options: &str,
     ) -> PyResult<Self> {
         let options = grouped(options)?;
-        let subject = subject(file, lines, &options)?;
+        let drawn = match (file, lines) {
+            (Some(file), None) => Some(of_file(file)?),
+            (None, Some(mut lines)) => Some(lines.take()),
+            (None, None) => None,
+            (Some(_), Some(_)) => {
+                return Err(PyTypeError::new_err("give a file or lines=, not both"));
+            }
+        };
+        let subject = match (drawn, Subject::of_text(&options.what)) {
+            (None, Some(subject)) | (Some(subject), None) => subject,
+            (None, None) => return Err(PyTypeError::new_err("give a file, lines= or text=")),
+            (Some(subject), Some(text)) => subject.and(text),
+        };
         py.detach(|| {
             let request = DrawingRequest::new(options, subject, &Materials::built_in());
             let request = request.map_err(|error| refused(&error))?;
@@ -138,27 +150,6 @@ impl Drawing {
     }
 }
 
-/// Returns what to draw: a file (by name) or lines, and the contents of the options.
-fn subject(
-    file: Option<&str>,
-    lines: Option<PyRefMut<'_, Lines>>,
-    options: &Options,
-) -> PyResult<Subject> {
-    let drawn = match (file, lines) {
-        (Some(file), None) => Some(of_file(file)?),
-        (None, Some(mut lines)) => Some(lines.take()),
-        (None, None) => None,
-        (Some(_), Some(_)) => {
-            return Err(PyTypeError::new_err("give a file or lines=, not both"));
-        }
-    };
-    match (drawn, Subject::of_text(&options.what)) {
-        (None, Some(subject)) | (Some(subject), None) => Ok(subject),
-        (None, None) => Err(PyTypeError::new_err("give a file, lines= or text=")),
-        (Some(subject), Some(text)) => Ok(subject.and(text)),
-    }
-}
-
 impl Drawing {
     fn picture<'a>(&'a self, ink: &'a [InkLine]) -> Picture<'a> {
         Picture {
@@ -191,7 +182,15 @@ fn grouped(json: &str) -> PyResult<Options> {
             .iter()
             .find(|(_, options)| options.get(&name).is_some());
         let Some((group, _)) = group else {
-            return Err(unknown_option(&name));
+            let names = known
+                .values()
+                .filter_map(Value::as_object)
+                .flat_map(Map::keys);
+            let names: Vec<&str> = names.map(String::as_str).collect();
+            return Err(PyTypeError::new_err(format!(
+                "unknown option `{name}`; allowed are {}",
+                names.join(", ")
+            )));
         };
         let group = asked.entry(group).or_insert_with(|| Map::new().into());
         group[&name] = value;
@@ -203,16 +202,6 @@ fn grouped(json: &str) -> PyResult<Options> {
         let problem = problem.replace("expected f64", "allowed is a number");
         PyValueError::new_err(format!("{name}: {problem}"))
     })
-}
-
-fn unknown_option(name: &str) -> PyErr {
-    let names = Options::fields().values();
-    let names = names.filter_map(Value::as_object).flat_map(Map::keys);
-    let names: Vec<&str> = names.map(String::as_str).collect();
-    PyTypeError::new_err(format!(
-        "unknown option `{name}`; allowed are {}",
-        names.join(", ")
-    ))
 }
 
 fn of_file(file: &str) -> PyResult<Subject> {

@@ -48,7 +48,13 @@ impl Goals {
         loop {
             tokio::select! {
                 goal = self.server.receive_new_goal() => match goal {
-                    Ok(goal) => self.spawn(goal, busy.clone()),
+                    Ok(goal) => {
+                        let (goals, busy) = (self.clone(), busy.clone());
+                        tokio::spawn(async move {
+                            goals.take(goal).await;
+                            drop(busy);
+                        });
+                    }
                     Err(error) => self.log.warn(&format!("cannot read a goal: {error:?}")),
                 },
                 cancel = self.server.receive_cancel_request() => match cancel {
@@ -78,15 +84,6 @@ impl Goals {
                 cancel.send_replace(true);
             }
         }
-    }
-
-    /// Takes a goal in a task; `busy` is dropped at its end.
-    fn spawn(self: &Arc<Self>, goal: NewGoalHandle<FollowGoal>, busy: mpsc::Sender<()>) {
-        let goals = self.clone();
-        tokio::spawn(async move {
-            goals.take(goal).await;
-            drop(busy);
-        });
     }
 
     /// Accepts a goal. An invalid goal is accepted too and aborted immediately, since a rejection
@@ -119,8 +116,11 @@ impl Goals {
         executing: &ExecutingGoalHandle<FollowGoal>,
         cancelled: &mut watch::Receiver<bool>,
     ) -> Result<Followed, Fault> {
-        let station = self.station.connect("trajectory").await;
-        let mut station = station.map_err(Fault::invalid)?;
+        let mut station = self
+            .station
+            .connect("trajectory")
+            .await
+            .map_err(Fault::invalid)?;
         let stand = take_at_rest(&mut station).await.map_err(Fault::invalid)?;
         let Stand { status, period } = stand;
         let wanted = Wanted::new(goal, degrees_of(&status), Time::now())?;

@@ -132,11 +132,18 @@ impl Servers {
         names: Names<'_>,
         mapping: ServiceMapping,
     ) -> Result<Self, NodeError> {
+        let qos = reliable(10);
         let follow = node.create_action_server(
             mapping,
             &names.private("follow_joint_trajectory"),
             &ActionTypeName::new("control_msgs", "FollowJointTrajectory"),
-            action_qos(),
+            ActionServerQosPolicies {
+                goal_service: qos.clone(),
+                result_service: qos.clone(),
+                cancel_service: qos.clone(),
+                feedback_publisher: qos,
+                status_publisher: reliable(1).durability(Durability::TransientLocal),
+            },
         )?;
         let (stop, suction, gripper) = (
             names.private("stop"),
@@ -149,17 +156,6 @@ impl Servers {
             gripper: server(node, mapping, &gripper, "SetBool")?,
             follow: AsyncActionServer::new(follow),
         })
-    }
-}
-
-fn action_qos() -> ActionServerQosPolicies {
-    let qos = reliable(10);
-    ActionServerQosPolicies {
-        goal_service: qos.clone(),
-        result_service: qos.clone(),
-        cancel_service: qos.clone(),
-        feedback_publisher: qos,
-        status_publisher: reliable(1).durability(Durability::TransientLocal),
     }
 }
 
