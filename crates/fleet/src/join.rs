@@ -10,6 +10,7 @@ use dobot_station::{FleetChannels, FleetCommand, FleetPort, StationApi, UNSETTLE
 use tokio::sync::oneshot;
 use tokio::task::{JoinHandle, JoinSet};
 use tokio::time::{MissedTickBehavior, interval};
+use zenoh::query::Query;
 use zenoh::sample::{Sample, SampleKind};
 
 use crate::CredentialsError;
@@ -268,13 +269,15 @@ impl Joined {
                 let handle = self.api.handle().clone();
                 asking.spawn(stops::answer(handle, responder.clone(), query));
             }
-            Incoming::About(query) => {
-                let message = publisher::state_message(&self.about, &self.api.handle().state());
-                if let Some(network) = &self.network {
-                    asking.spawn(network.answer_about(query, message));
-                }
-            }
+            Incoming::About(query) => self.answer_about(query, asking),
             Incoming::State(sample) => self.handle_state(&sample),
+        }
+    }
+
+    fn answer_about(&self, query: Query, asking: &mut JoinSet<()>) {
+        if let Some(network) = &self.network {
+            let message = publisher::state_message(&self.about, &self.api.handle().state());
+            asking.spawn(network.answer_about(query, message));
         }
     }
 
@@ -296,39 +299,39 @@ impl Joined {
         let Some(alive) = Alive::of(sample.key_expr().as_str()) else {
             return;
         };
-        let at_s = self.at_s();
         match sample.kind() {
-            SampleKind::Put => {
-                let peer = match alive.signer(&self.identity) {
-                    Ok(peer) => Some(Arc::new(peer)),
-                    Err(_) if alive.messages != MESSAGES => None,
-                    Err(why) => {
-                        let name = alive.member.name;
-                        tracing::info!(
-                            name,
-                            why,
-                            "ignored a station without a certificate of the fleet"
-                        );
-                        return;
-                    }
-                };
-                if alive.messages == MESSAGES {
-                    self.stops
-                        .handle_arrival(&alive.member, self.since.0.elapsed());
-                }
-                let was_full = self.roster.is_full();
-                self.roster.handle_arrival(alive, peer, at_s);
-                if self.roster.is_full() && !was_full {
-                    let many =
-                        "the fleet has more stations than this one can track; some are not shown";
-                    self.api.handle().try_report_trouble(many.to_owned());
-                }
-            }
+            SampleKind::Put => self.handle_arrival(alive),
             SampleKind::Delete if alive.member == self.own => {}
             SampleKind::Delete => {
                 self.stops.handle_departure(&alive.member);
                 self.roster.handle_departure(&alive);
             }
+        }
+    }
+
+    fn handle_arrival(&mut self, alive: Alive) {
+        let peer = match alive.signer(&self.identity) {
+            Ok(peer) => Some(Arc::new(peer)),
+            Err(_) if alive.messages != MESSAGES => None,
+            Err(why) => {
+                let name = alive.member.name;
+                tracing::info!(
+                    name,
+                    why,
+                    "ignored a station without a certificate of the fleet"
+                );
+                return;
+            }
+        };
+        if alive.messages == MESSAGES {
+            self.stops
+                .handle_arrival(&alive.member, self.since.0.elapsed());
+        }
+        let (at_s, was_full) = (self.at_s(), self.roster.is_full());
+        self.roster.handle_arrival(alive, peer, at_s);
+        if self.roster.is_full() && !was_full {
+            let many = "the fleet has more stations than this one can track; some are not shown";
+            self.api.handle().try_report_trouble(many.to_owned());
         }
     }
 

@@ -91,10 +91,7 @@ impl Alive {
             return None;
         }
         let (run, proof) = match messages {
-            MESSAGES => {
-                let (run, proof) = (next()?.parse().ok()?, next()?);
-                (run, BASE64URL_NOPAD.decode(proof.as_bytes()).ok()?)
-            }
+            MESSAGES => (next()?.parse().ok()?, decoded(next()?)?),
             // The remaining parts of other versions are unknown.
             _ => (0, Vec::new()),
         };
@@ -109,6 +106,10 @@ impl Alive {
             proof,
         })
     }
+}
+
+fn decoded(proof: &str) -> Option<Vec<u8>> {
+    BASE64URL_NOPAD.decode(proof.as_bytes()).ok()
 }
 
 impl MemberKey {

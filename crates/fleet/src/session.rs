@@ -7,7 +7,7 @@ use std::time::Duration;
 use tokio::sync::watch;
 use tokio::task::spawn_blocking;
 use tokio::time::{MissedTickBehavior, interval};
-use zenoh::{Session, Wait};
+use zenoh::{Config, Session, Wait};
 
 use crate::credentials::read_revoked;
 use crate::identity::Identity;
@@ -40,16 +40,7 @@ impl FleetSession {
         let config = config::session(connect, credentials)?;
         let identity = Arc::new(credentials.identity()?);
         let (sender, opened) = watch::channel(None);
-        // Opening blocks while a router is unreachable, so it runs in its own thread.
-        let opens = move || {
-            let session = zenoh::open(config).wait();
-            // The receiver may be gone.
-            drop(sender.send(Some(session.map_err(|error| error.to_string()))));
-        };
-        std::thread::Builder::new()
-            .name("fleet".into())
-            .spawn(opens)
-            .map_err(|error| FleetError::Zenoh(error.to_string()))?;
+        open_in_thread(config, sender)?;
         if let Some(file) = credentials.revoked_file() {
             tokio::spawn(follow_revoked(file.to_owned(), Arc::downgrade(&identity)));
         }
@@ -115,4 +106,20 @@ async fn follow_revoked(file: PathBuf, identity: Weak<Identity>) {
             identity.revoke(revoked);
         }
     }
+}
+
+/// Opening blocks while a router is unreachable, so it runs in its own thread.
+fn open_in_thread(
+    config: Config,
+    sender: watch::Sender<Option<Result<Session, String>>>,
+) -> Result<(), FleetError> {
+    let opens = move || {
+        let session = zenoh::open(config).wait();
+        // The receiver may be gone.
+        drop(sender.send(Some(session.map_err(|error| error.to_string()))));
+    };
+    let thread = std::thread::Builder::new().name("fleet".into());
+    let thread = thread.spawn(opens);
+    thread.map_err(|error| FleetError::Zenoh(error.to_string()))?;
+    Ok(())
 }

@@ -157,18 +157,22 @@ impl Giving {
             );
             return Err(NAME_TAKEN.hinted(detail, "choose another name"));
         }
-        let most = usize::from(self.config.most);
-        if self.given.len() >= most {
-            let detail =
-                format!("this station hosts at most {most} virtual arms, and all are in use");
-            return Err(ALL_ARMS_GIVEN.hinted(detail, "end an unused one, or use another station"));
-        }
+        self.check_room()?;
         // Its predecessor may still be shutting down in the same folder.
         while self.ending.join_next().await.is_some() {}
         let given = self.start(&name).await?;
         let view = given.view.clone();
         self.given.push(given);
         Ok(view)
+    }
+
+    fn check_room(&self) -> Result<(), Problem> {
+        let most = usize::from(self.config.most);
+        if self.given.len() < most {
+            return Ok(());
+        }
+        let detail = format!("this station hosts at most {most} virtual arms, and all are in use");
+        Err(ALL_ARMS_GIVEN.hinted(detail, "end an unused one, or use another station"))
     }
 
     async fn start(&self, name: &str) -> Result<Given, Problem> {

@@ -6,8 +6,8 @@ use std::time::Duration;
 
 use dobot_api::{CalibrationFile, NewJob, Problem, Request};
 use dobot_draw::{
-    AREA, CancelToken, Colors, DrawingRequest, InkLine, Materials, Picture, Prepared, Settings,
-    Subject, View,
+    AREA, CancelToken, Colors, DrawingRequest, InkLine, Materials, Options, Picture, Prepared,
+    Settings, Subject, View,
 };
 use dobot_host::{PlannedFor, StationClient, drawing_job, run_long};
 use dobot_wire::Dialect;
@@ -127,10 +127,8 @@ impl Call {
 
     async fn request(&self, new: NewDrawing) -> Result<DrawingRequest, Refused> {
         let mut options = new.options;
-        let given = [&new.text, &new.svg, &new.file]
-            .into_iter()
-            .flatten()
-            .count();
+        let given = [&new.text, &new.svg, &new.file];
+        let given = given.into_iter().flatten().count();
         if given + usize::from(Subject::of_text(&options.what).is_some()) != 1 {
             return Err(Refused::new(
                 "invalid",
@@ -146,17 +144,20 @@ impl Call {
             (None, None) => None,
         };
         let reading = run_long(move || {
-            let subject = match (Subject::of_text(&options.what), file) {
-                (Some(text), _) => text,
-                (None, Some((name, bytes))) => {
-                    Subject::of_file(&name, bytes).map_err(|error| bad(&error))?
-                }
-                (None, None) => return Err(bad(&"there is nothing to draw")),
-            };
+            let subject = subject(&options, file)?;
             let request = DrawingRequest::new(options, subject, &Materials::built_in());
             request.map_err(|error| bad(&error))
         });
         reading.await?
+    }
+}
+
+/// Returns what to draw: a text or a card of the options, or a file with its name.
+fn subject(options: &Options, file: Option<(String, Vec<u8>)>) -> Result<Subject, Refused> {
+    match (Subject::of_text(&options.what), file) {
+        (Some(text), _) => Ok(text),
+        (None, Some((name, bytes))) => Subject::of_file(&name, bytes).map_err(|error| bad(&error)),
+        (None, None) => Err(bad(&"there is nothing to draw")),
     }
 }
 

@@ -184,27 +184,7 @@ impl Call {
         job: u64,
         time: Duration,
     ) -> Result<Value, Refused> {
-        let mut watch = JobWatch::new(job);
-        let mut progress = Progress::default();
-        let over = async {
-            loop {
-                let notice = match station.next().await? {
-                    StationEvent::Notice(notice) => notice,
-                    StationEvent::State(state) => {
-                        if let Some(view) = state.job.as_ref().filter(|view| view.job == job) {
-                            progress.report(self, state.at_s, view).await;
-                        }
-                        continue;
-                    }
-                };
-                if notice.news == (News::JobAsks { job }) {
-                    return Ok((JobPhase::Running, notice.text));
-                }
-                if let Some(over) = watch.handle_notice(&notice) {
-                    return Ok::<_, Refused>(over);
-                }
-            }
-        };
+        let over = self.until_over(station, job);
         let text = match timeout(time, over).await {
             Err(_) => "the job is still running; `jobs` shows its progress".to_owned(),
             Ok(Err(error)) => return Err(error),
@@ -214,6 +194,33 @@ impl Call {
             Ok(Ok((_, text))) => text,
         };
         Ok(json!({ "message": text, "job": view(station, job).await? }))
+    }
+
+    /// Waits until a job stops running or asks; returns how it is, and the text about that.
+    async fn until_over(
+        &self,
+        station: &mut StationClient,
+        job: u64,
+    ) -> Result<(JobPhase, String), Refused> {
+        let mut watch = JobWatch::new(job);
+        let mut progress = Progress::default();
+        loop {
+            let notice = match station.next().await? {
+                StationEvent::Notice(notice) => notice,
+                StationEvent::State(state) => {
+                    if let Some(view) = state.job.as_ref().filter(|view| view.job == job) {
+                        progress.report(self, state.at_s, view).await;
+                    }
+                    continue;
+                }
+            };
+            if notice.news == (News::JobAsks { job }) {
+                return Ok((JobPhase::Running, notice.text));
+            }
+            if let Some(over) = watch.handle_notice(&notice) {
+                return Ok(over);
+            }
+        }
     }
 }
 

@@ -51,7 +51,13 @@ pub(crate) fn get(request: &GetPromptRequestParams) -> Result<GetPromptResult, E
         let text = format!("the prompt `{name}` needs the argument `{argument}`, a text");
         return Err(ErrorData::invalid_params(text, None));
     };
-    let text = match *name {
+    let text = text(name, given);
+    let message = PromptMessage::new_text(Role::User, text);
+    Ok(GetPromptResult::new(vec![message]).with_description(*description))
+}
+
+fn text(name: &str, given: &str) -> String {
+    match name {
         "draw" => format!(
             "Draw this with the arm: {given}\n\nCall `look`. Make it a text or an SVG document of simple strokes, and call `plan_drawing`. \
              Show the picture with duration and warnings, and ask whether to draw it. Then call `draw`."
@@ -60,9 +66,7 @@ pub(crate) fn get(request: &GetPromptRequestParams) -> Result<GetPromptResult, E
             "Sort these objects with the arm: {given}\n\nCall `look`, and read the resources dobot://world and dobot://program. Write a program, \
              and call `check_program` until there are no problems. Show its steps and ask whether to run it. Then call `run_program`."
         ),
-    };
-    let message = PromptMessage::new_text(Role::User, text);
-    Ok(GetPromptResult::new(vec![message]).with_description(*description))
+    }
 }
 
 #[cfg(test)]

@@ -67,25 +67,32 @@ async fn hold(
     loop {
         let pressed = station.request(Request::Jog { jog }).await;
         pressed.map_err(|error| refused(&error))?;
-        let next = async {
-            loop {
-                tokio::select! {
-                    changed = messages.changed() => {
-                        return changed.is_ok().then(|| messages.borrow_and_update().clone()).flatten();
-                    }
-                    event = station.next() => {
-                        if let Err(error) = event {
-                            return Some(Err(refused(&error)));
-                        }
-                    }
-                    () = ended(ending) => return None,
-                }
-            }
-        };
+        let next = next_message(station, messages, ending);
         match timeout(patience, next).await {
             Err(_) | Ok(None | Some(Ok(None))) => return Ok(()),
             Ok(Some(Ok(Some(next)))) => jog = next,
             Ok(Some(Err(why))) => return Err(why),
+        }
+    }
+}
+
+/// Waits for the next message; `None` at the end. Meanwhile it handles the events of the station.
+async fn next_message(
+    station: &mut StationClient,
+    messages: &mut watch::Receiver<JogMessage>,
+    ending: &mut watch::Receiver<bool>,
+) -> JogMessage {
+    loop {
+        tokio::select! {
+            changed = messages.changed() => {
+                return changed.is_ok().then(|| messages.borrow_and_update().clone()).flatten();
+            }
+            event = station.next() => {
+                if let Err(error) = event {
+                    return Some(Err(refused(&error)));
+                }
+            }
+            () = ended(ending) => return None,
         }
     }
 }

@@ -322,9 +322,8 @@ fn percent(way_deg: f64, within_s: f64) -> f64 {
     (deg_s / Speeds::STOCK.joint_deg_s * 100.0).clamp(MIN_PERCENT, MAX_PERCENT)
 }
 
-/// Returns the commands: pump and gripper do not change, and the speed at the end is that of
-/// power-up.
-fn job(moves: &[FollowMove], status: &Status) -> NewJob {
+/// Returns the commands, and the first command of each move.
+fn commands(moves: &[FollowMove], status: &Status) -> (Vec<Command>, Vec<usize>) {
     let mut commands = Vec::new();
     let mut steps = Vec::new();
     let mut now_percent: Option<f64> = None;
@@ -340,6 +339,13 @@ fn job(moves: &[FollowMove], status: &Status) -> NewJob {
     if !moves.is_empty() {
         commands.push(speed(MAX_PERCENT));
     }
+    (commands, steps)
+}
+
+/// Returns the commands: pump and gripper do not change, and the speed at the end is that of
+/// power-up.
+fn job(moves: &[FollowMove], status: &Status) -> NewJob {
+    let (commands, steps) = commands(moves, status);
     NewJob {
         title: "trajectory of ROS 2".to_owned(),
         kind: JobKind::Program,

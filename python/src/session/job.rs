@@ -145,20 +145,15 @@ impl Session {
             self.client.request(Request::ReleaseLease).await?;
         }
         let (phase, text) = self.follow(job, reports).await?;
+        if phase == JobPhase::Paused {
+            // The in-flight commands finish, and the tool is lifted.
+            self.client.idle().await?;
+            return Err(Failure::Paused { job, text });
+        }
+        self.rests = None;
         match phase {
-            JobPhase::Paused => {
-                // The in-flight commands finish, and the tool is lifted.
-                self.client.idle().await?;
-                Err(Failure::Paused { job, text })
-            }
-            JobPhase::Done => {
-                self.rests = None;
-                Ok(())
-            }
-            _ => {
-                self.rests = None;
-                Err(failed(text))
-            }
+            JobPhase::Done => Ok(()),
+            _ => Err(failed(text)),
         }
     }
 
@@ -174,13 +169,7 @@ impl Session {
             return Ok(());
         };
         if !self.asks {
-            if self.client.virtual_arm().is_some() && pending.otherwise.is_none() {
-                return Err(failed(format!(
-                    "the program asks: {}; give `run` a function `ask` that answers",
-                    pending.question
-                )));
-            }
-            return Ok(());
+            return self.check_answered(pending);
         }
         let text =
             serde_json::to_string(&pending.question).map_err(|error| failed(error.to_string()))?;
@@ -188,14 +177,24 @@ impl Session {
         let Some(answer) = self.answers.recv().await else {
             return Err(Failure::Closed);
         };
-        self.client
-            .request(Request::AnswerJob {
-                job,
-                question: Some(pending.number),
-                answer,
-            })
-            .await?;
+        let answer = Request::AnswerJob {
+            job,
+            question: Some(pending.number),
+            answer,
+        };
+        self.client.request(answer).await?;
         Ok(())
+    }
+
+    /// Checks that somebody answers a question, though not this connection.
+    fn check_answered(&self, pending: &PendingQuestion) -> Result<(), Failure> {
+        if self.client.virtual_arm().is_none() || pending.otherwise.is_some() {
+            return Ok(());
+        }
+        Err(failed(format!(
+            "the program asks: {}; give `run` a function `ask` that answers",
+            pending.question
+        )))
     }
 
     /// Waits until the job stops running.
@@ -209,14 +208,7 @@ impl Session {
         loop {
             match self.client.next().await? {
                 StationEvent::State(state) => {
-                    publish(&self.statuses, &state);
-                    if let Some(view) = state.job.as_ref().filter(|view| view.job == job) {
-                        reports.send(Report::Progress(progress(view)));
-                        if asked != view.question {
-                            asked.clone_from(&view.question);
-                            self.answer(job, asked.as_ref(), reports).await?;
-                        }
-                    }
+                    self.handle_state(job, &state, &mut asked, reports).await?;
                 }
                 StationEvent::Notice(notice) => {
                     if let Some(ended) = watch.handle_notice(&notice) {
@@ -225,6 +217,27 @@ impl Session {
                 }
             }
         }
+    }
+
+    /// Shows the progress of the job, and asks its question once.
+    async fn handle_state(
+        &mut self,
+        job: u64,
+        state: &State,
+        asked: &mut Option<PendingQuestion>,
+        reports: &Sender<Report>,
+    ) -> Result<(), Failure> {
+        publish(&self.statuses, state);
+        let view = state.job.as_ref();
+        let Some(view) = view.filter(|view| view.job == job) else {
+            return Ok(());
+        };
+        reports.send(Report::Progress(progress(view)));
+        if *asked != view.question {
+            asked.clone_from(&view.question);
+            self.answer(job, asked.as_ref(), reports).await?;
+        }
+        Ok(())
     }
 }
 

@@ -152,11 +152,7 @@ pub(super) fn course(parts: &[&Barriers]) -> Course {
     let mut passed = vec![0; parts.len()];
     let mut been = HashSet::new();
     for _ in 0..MAX_RELEASES {
-        let next: Vec<_> = parts
-            .iter()
-            .zip(&passed)
-            .map(|(barriers, n)| barriers.at(*n))
-            .collect();
+        let next = next_barriers(parts, &passed);
         if next.iter().all(Option::is_none) {
             return Course::Done;
         }
@@ -176,6 +172,16 @@ pub(super) fn course(parts: &[&Barriers]) -> Course {
         }
     }
     Course::TooLong
+}
+
+/// Returns the barrier that each part waits at next, after a number of barriers; `None` if it has passed
+/// all.
+pub(super) fn next_barriers<'a>(
+    parts: &[&'a Barriers],
+    passed: &[u64],
+) -> Vec<Option<&'a Barrier>> {
+    let parts = parts.iter().zip(passed);
+    parts.map(|(barriers, n)| barriers.at(*n)).collect()
 }
 
 /// Returns a barrier at which all parts with it have arrived.

@@ -1,6 +1,6 @@
 //! Problems of a coordinated program, found before anything moves.
 
-use super::barriers::{Barrier, Course, course};
+use super::barriers::{Barrier, Barriers, Course, course, next_barriers};
 use super::part::Part;
 
 /// Returns all problems, each in one line with file, step and remedy.
@@ -41,25 +41,12 @@ fn alone(parts: &[Part]) -> Vec<String> {
     let mut problems = Vec::new();
     for (part, own) in parts.iter().zip(&barriers) {
         for barrier in own.all() {
-            if barriers
-                .iter()
-                .filter(|other| other.has(&barrier.name))
-                .count()
-                > 1
-            {
+            let all = barriers.iter();
+            if all.filter(|other| other.has(&barrier.name)).count() > 1 {
                 continue;
             }
             let others = barriers.iter().filter(|other| *other != own);
-            let mut names: Vec<_> = others
-                .flat_map(|other| other.all().map(|barrier| &*barrier.name))
-                .collect();
-            names.sort_unstable();
-            names.dedup();
-            let have = match &names[..] {
-                [] => "the others have no barriers".to_owned(),
-                names => format!("the others have {names:?}"),
-            };
-            let place = place(part, barrier);
+            let (place, have) = (place(part, barrier), barriers_of(others));
             problems.push(format!(
                 "{place}: no other part has this barrier, {have}; use the same name in both, or remove the step"
             ));
@@ -68,25 +55,29 @@ fn alone(parts: &[Part]) -> Vec<String> {
     problems
 }
 
+/// Describes the barriers of the other parts.
+fn barriers_of<'a>(others: impl Iterator<Item = &'a Barriers>) -> String {
+    let mut names: Vec<_> = others
+        .flat_map(|other| other.all().map(|barrier| &*barrier.name))
+        .collect();
+    names.sort_unstable();
+    names.dedup();
+    match &names[..] {
+        [] => "the others have no barriers".to_owned(),
+        names => format!("the others have {names:?}"),
+    }
+}
+
 /// Reports deadlocks.
 fn stuck(parts: &[Part]) -> Vec<String> {
     let barriers: Vec<_> = parts.iter().map(Part::barriers).collect();
     let all: Vec<_> = barriers.iter().collect();
     let passed = match course(&all) {
         Course::Done => return Vec::new(),
-        Course::TooLong => {
-            return vec![
-                "the parts meet more than 1000000 times before they finish; let them repeat \"forever\", or less often"
-                    .to_owned(),
-            ];
-        }
+        Course::TooLong => return vec![TOO_LONG.to_owned()],
         Course::Stuck(passed) => passed,
     };
-    let next: Vec<_> = barriers
-        .iter()
-        .zip(&passed)
-        .map(|(barriers, n)| barriers.at(*n))
-        .collect();
+    let next = next_barriers(&all, &passed);
     let mut problems = Vec::new();
     for (index, barrier) in next.iter().enumerate() {
         let Some(barrier) = barrier else {
@@ -122,6 +113,8 @@ fn place(part: &Part, barrier: &Barrier) -> String {
         barrier.step, barrier.line, barrier.name
     )
 }
+
+const TOO_LONG: &str = "the parts meet more than 1000000 times before they finish; let them repeat \"forever\", or less often";
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

@@ -120,12 +120,9 @@ impl Work {
         kept: Vec<Ticket>,
         new_key: impl FnMut() -> Option<String> + Send + 'static,
     ) -> Self {
+        let numbers = kept.iter().map(|ticket| ticket.number);
         Self {
-            last_number: kept
-                .iter()
-                .map(|ticket| ticket.number)
-                .max()
-                .unwrap_or_default(),
+            last_number: numbers.max().unwrap_or_default(),
             tickets: kept
                 .into_iter()
                 .map(|ticket| (ticket.id.clone(), ticket))
@@ -269,15 +266,14 @@ impl Work {
                     self.rest(now, &ask.member.id);
                 }
             }
-            Answer::Unknown => {
-                let name = &ask.member.name;
-                let text = format!(
-                    "{name} does not know the job any more: its journal was lost or replaced"
-                );
-                self.unclear.insert(ask.key.clone(), text);
-            }
+            Answer::Unknown => drop(self.unclear.insert(ask.key.clone(), lost_by(&ask.member))),
             Answer::Unclear(why) => drop(self.unclear.insert(ask.key.clone(), why)),
         }
+        self.note_settled(ask, &before);
+    }
+
+    /// Ends what the ticket no longer needs, and keeps it if it differs from `before`.
+    fn note_settled(&mut self, ask: &Ask, before: &Ticket) {
         let ticket = &self.tickets[&ask.ticket];
         if matches!(&ticket.at, Place::Taken { job, .. } if job.phase != JobPhase::Queued) {
             self.resting.remove(&ask.member.id);
@@ -285,7 +281,7 @@ impl Work {
         if !is_open(ticket) {
             self.due.remove(&ask.key);
         }
-        if is_other(&before, ticket) {
+        if is_other(before, ticket) {
             self.change(&ask.ticket);
         }
     }
@@ -387,13 +383,17 @@ impl Work {
         }
         self.queued = queued;
         for (id, offer, why) in recalled {
-            self.due.remove(&offer.key);
-            self.rest(now, &offer.member.id);
-            if let Place::Taken { offer, .. } = &mut self.ticket(&id).at {
-                offer.recalled = Some(why);
-            }
-            self.change(&id);
+            self.recall(now, &id, &offer, why);
         }
+    }
+
+    fn recall(&mut self, now: Duration, id: &str, offer: &Offer, why: String) {
+        self.due.remove(&offer.key);
+        self.rest(now, &offer.member.id);
+        if let Place::Taken { offer, .. } = &mut self.ticket(id).at {
+            offer.recalled = Some(why);
+        }
+        self.change(id);
     }
 
     /// Returns why a station with automatic starts cannot start a queued job. A stop or a lock
@@ -472,4 +472,9 @@ impl Work {
     fn ticket(&mut self, id: &str) -> &mut Ticket {
         self.tickets.get_mut(id).expect("found above")
     }
+}
+
+fn lost_by(member: &WorkMember) -> String {
+    let name = &member.name;
+    format!("{name} does not know the job any more: its journal was lost or replaced")
 }

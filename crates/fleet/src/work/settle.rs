@@ -52,7 +52,6 @@ pub(crate) fn settle_taken(ticket: &mut Ticket, ask: &Ask, job: Box<JobView>) {
     let Some(offer) = current(ticket, ask) else {
         return;
     };
-    let never_begun = job.phase == JobPhase::Stopped && job.completed == 0;
     if !offer.is_withdrawn
         && was_withdrawn(&job)
         && let Some(reason) = offer.recalled
@@ -62,16 +61,21 @@ pub(crate) fn settle_taken(ticket: &mut Ticket, ask: &Ask, job: Box<JobView>) {
         ticket.at = Place::Waiting;
         return;
     }
+    ticket.at = place_of(offer, job);
+}
+
+fn place_of(offer: Offer, job: Box<JobView>) -> Place {
     // A job that began before it could be recalled stays there.
     let recalled = offer.recalled.filter(|_| job.phase == JobPhase::Queued);
     let offer = Offer { recalled, ..offer };
-    ticket.at = if offer.is_withdrawn && never_begun {
+    let never_begun = job.phase == JobPhase::Stopped && job.completed == 0;
+    if offer.is_withdrawn && never_begun {
         Place::Cancelled
     } else if job.phase.is_over() {
         Place::Over { offer, job }
     } else {
         Place::Taken { offer, job }
-    };
+    }
 }
 
 /// Handles a final refusal under this key.

@@ -105,15 +105,10 @@ fn read<T: DeserializeOwned>(answer: &ApiAnswer) -> Result<T, AskError> {
         )));
     };
     let kind = problem.name().to_owned();
-    let hint = problem
-        .hint
-        .map(|hint| format!("; {hint}"))
-        .unwrap_or_default();
+    let hint = problem.hint.map(|hint| format!("; {hint}"));
+    let hint = hint.unwrap_or_default();
     let detail = format!("{}{hint}", problem.detail);
-    if UNCLEAR
-        .iter()
-        .any(|u_n_c_l_e_a_r| u_n_c_l_e_a_r.name == kind)
-    {
+    if UNCLEAR.iter().any(|unclear| unclear.name == kind) {
         return Err(AskError::Unclear(detail));
     }
     Err(AskError::Refused { kind, detail })
