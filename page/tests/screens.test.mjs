@@ -44,12 +44,15 @@ for (const [name, [width, height]] of Object.entries(SIZES)) {
   test(`on ${name}, STOP is free, each panel is usable, and nothing is cut off`, async () => {
     const page = await bench.visit({ viewport: { width, height } });
     assert.ok(await isStopFree(page), "with the welcome card");
-    await canPress(page, "#first-close");
+    await page.click("#tab-set_up");
+    for (const id of ["#first-close", "#jog-fold"]) await canPress(page, id);
     await page.click("#first-close");
     for (const tab of TABS) {
       await canPress(page, `#tab-${tab}`);
       await page.click(`#tab-${tab}`);
       assert.ok(await isStopFree(page), tab);
+      // Some panels are loaded when they are first shown.
+      await page.waitForFunction(() => document.getElementById("panel").childElementCount > 0);
       const room = await page.evaluate(() => document.getElementById("panel").clientHeight);
       assert.ok(room >= 120, `${tab}: ${room} px for the panel`);
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true, `${tab} is wider than the window`);

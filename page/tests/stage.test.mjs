@@ -281,6 +281,25 @@ test("in a window of another shape the whole arm is visible, and the drag handle
   }
 });
 
+test("while the window changes its size, the picture is never black", async () => {
+  const sized = await openStage();
+  await sized.page.evaluate((parts) => window.show(parts), WITH_ARM);
+  const black = await sized.page.evaluate(async (view) => {
+    const element = document.querySelector("#stage"), canvas = element.querySelector("canvas"), pen = canvas.getContext("2d");
+    let black = 0;
+    for (let n = 0; n < 60; n += 1) {
+      // While one frame is still being drawn, and while none is.
+      if (n % 8 < 4) element.style.height = `${300 + n}px`;
+      window.show({ arm: { ...view.arm, base_deg: n } });
+      await new Promise((done) => requestAnimationFrame(done));
+      black += Number(pen.getImageData(3, 3, 1, 1).data.slice(0, 3).every((value) => value === 0));
+    }
+    return black;
+  }, WITH_ARM);
+  await sized.end();
+  assert.equal(black, 0);
+});
+
 test("after a lost graphics context the view has two dimensions, and three when it is restored", async () => {
   await show({ ...WITH_ARM, ghost: null, draggable: false });
   const kind = () => page.evaluate(() => document.querySelector("#stage").dataset.shown);

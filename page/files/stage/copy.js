@@ -15,6 +15,11 @@ export function createCopy(gl, canvas) {
       fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
       gl.flush();
     },
+    /** Forgets the last frame: it has another size than the next one, and is gone. */
+    forget() {
+      if (fence) gl.deleteSync(fence);
+      fence = null;
+    },
     /** Shows the last frame if it is finished; returns whether none is still being drawn. */
     isFinished() {
       if (!fence) return true;

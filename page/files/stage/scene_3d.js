@@ -225,6 +225,7 @@ export function createScene3d(element, outside, card) {
     frame,
     /** @param {number} width @param {number} height @param {number} density */
     resize(width, height, density) {
+      copy?.forget();
       renderer.setPixelRatio(density);
       renderer.setSize(width, height, false);
       aspect = width / Math.max(1, height);

@@ -33,7 +33,6 @@ export function createStage(element) {
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   /** @type {View | null} */ let view = null;
   let frame = 0, inked = 0, inSight = true, isHeld = false, hasCard = false, isFlat = false, isLoading = false;
-  /** @type {number | undefined} */ let waits;
   /** @type {AnyScene} */ let drawing;
   /** The scene that is being prepared. @type {Scene3d | null} */ let next3d = null;
 
@@ -42,23 +41,19 @@ export function createStage(element) {
       return still.matches;
     },
     changed() {
-      if (!inSight || document.hidden || frame || waits) return;
-      // Without a graphics card, drawing takes the time of the page's thread, which also handles input.
-      const wait_ms = isHeld || (drawing.kind === "3d" && !hasCard) ? budget.wait_ms() : 0;
-      if (wait_ms === 0) frame = requestAnimationFrame(draw);
-      else waits = setTimeout(() => {
-        waits = undefined;
-        outside.changed();
-      }, wait_ms);
+      if (inSight && !document.hidden && !frame) frame = requestAnimationFrame(draw);
     },
     /** @param {import("./view.js").Target} detail */
     target: (detail) => void element.dispatchEvent(new CustomEvent("target", { detail })),
   };
 
+  /** Whether a frame has to wait for input: without a graphics card, drawing takes the time of the page's thread. */
+  const leavesTime = () => (isHeld || (drawing.kind === "3d" && !hasCard)) && budget.wait_ms() > 0;
+
   /** @param {number} now_ms */
   function draw(now_ms) {
     frame = 0;
-    if (!isDue(now_ms)) return outside.changed();
+    if (leavesTime() || !isDue(now_ms)) return outside.changed();
     budget.begin(drawing.kind === "3d" && isHeld ? reportSlow : undefined);
     const at = motion.at(performance.now() / 1000);
     if (next3d) prepare(next3d, at?.joints ?? null);
@@ -76,9 +71,7 @@ export function createStage(element) {
   /** Handles a change of visibility: pending changes are drawn when the stage is visible again. */
   function turnUp() {
     cancelAnimationFrame(frame);
-    clearTimeout(waits);
     frame = 0;
-    waits = undefined;
     outside.changed();
   }
 
@@ -218,7 +211,6 @@ export function createStage(element) {
     },
     end() {
       cancelAnimationFrame(frame);
-      clearTimeout(waits);
       watched.disconnect();
       sight.disconnect();
       document.removeEventListener("visibilitychange", turnUp);
