@@ -12,6 +12,8 @@ import { isSecure, refusalOf, stopTracks } from "./media.js";
 const WIDTH = 320;
 /** The least time between two pictures, and between two packets. */
 const PICTURE_MS = 40, PACKET_MS = 100;
+/** States after which a hand may still be in control: it may be lost for a moment. @type {ReadonlySet<import("../vision/hand.js").Meaning["state"]>} */
+const KEEPS_CONTROL = new Set(["controls", "none", "unsure"]);
 
 /** @param {import("../state/store.js").Store} store @param {import("./http.js").Http} http @param {import("./socket.js").Socket} socket @param {() => void} stop */
 export function createHands(store, http, socket, stop) {
@@ -27,7 +29,7 @@ export function createHands(store, http, socket, stop) {
   /** What to send next. @type {import("../vision/hand.js").Movement | null} */ let movement = null;
   let sent_ms = -Infinity;
 
-  const packets = createStream({ store, socket, sense: "hand", refused: (detail) => (lose(), set({ refused: detail })), next() {
+  const packets = createStream({ store, socket, sense: "hand", refused: (detail) => (drop(), set({ refused: detail })), next() {
     const { page } = store, now_ms = performance.now();
     const scale = page.facts?.tools.find(({ kind }) => kind === mountedTool(page))?.gesture;
     if (!begin || !movement || !scale || now_ms - sent_ms < PACKET_MS) return null;
@@ -42,6 +44,12 @@ export function createHands(store, http, socket, stop) {
     packets.end();
   }
 
+  /** Takes control from the hand: it has to be opened again. */
+  function drop() {
+    lose();
+    look = createHand();
+  }
+
   /** @param {import("../vision/hand.js").Picture} picture */
   function looked(picture) {
     const meaning = look(picture);
@@ -52,9 +60,9 @@ export function createHands(store, http, socket, stop) {
     }
     movement = meaning.movement;
     const arm = store.page.station?.arm;
-    if (meaning.state !== "controls" && meaning.state !== "none") lose();
+    if (!KEEPS_CONTROL.has(meaning.state)) lose();
     if (!movement || !arm) return;
-    if (blockedReason(store.page) !== null) return lose();
+    if (blockedReason(store.page) !== null) return drop();
     if (begin) return packets.more();
     // Only the picture in which a hand takes control has no movement.
     if (movement.left_mm !== 0 || movement.up_mm !== 0) return;
@@ -121,7 +129,7 @@ export function createHands(store, http, socket, stop) {
 
   const close = () => end({ view: "closed", refused: null });
   store.subscribe((page, message) => {
-    if (message.type === "stop_pressed" || message.type === "closed") lose();
+    if (message.type === "stop_pressed" || message.type === "closed") drop();
     if (message.type === "tab" && page.tab !== "move" && page.hands.view !== "closed") close();
   });
   return { video, open, close };
