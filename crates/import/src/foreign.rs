@@ -137,6 +137,7 @@ const OFFICE: &str = "export the drawing in it as SVG, or all of it as PDF, whic
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Source;
 
     #[test]
     fn a_web_page_under_another_name_is_recognised() {
@@ -151,6 +152,44 @@ mod tests {
         }
         for other in ["<svg/>", "<!DOCTYPE svg><svg/>", "<htmlish/>"] {
             assert!(refuse_foreign(other.as_bytes()).is_ok(), "{other}");
+        }
+    }
+
+    #[test]
+    fn files_of_other_programs_are_named_with_the_next_step() {
+        let archive = |name: &[u8]| [b"PK\x03\x04-version-sizes-", name].concat();
+        for (start, what, step) in [
+            (b"%PDF-1.7\n".to_vec(), "a PDF file", "pdftocairo -svg"),
+            (
+                b"%!PS-Adobe-3.0".to_vec(),
+                "a PostScript or EPS file",
+                "ps2pdf",
+            ),
+            (
+                b"<!doctype html><p>".to_vec(),
+                "an HTML page",
+                "download it again",
+            ),
+            (
+                archive(b"[Content_Types].xml"),
+                "spreadsheet",
+                "export the drawing",
+            ),
+            (
+                archive(b"mimetypeapplication/vnd.oasis.opendocument.spreadsheet"),
+                "spreadsheet",
+                "export the drawing",
+            ),
+            (archive(b"a.svg"), "a zip archive", "unpack it"),
+            (
+                b"\0\0\0\x18ftypheic".to_vec(),
+                "an HEIC or AVIF picture",
+                "JPEG",
+            ),
+        ] {
+            let error = Source::of_file("drawing.svg", start).expect_err("another program's file");
+            let text = error.to_string();
+            assert!(text.contains(what) && text.contains(step), "{what}: {text}");
         }
     }
 }

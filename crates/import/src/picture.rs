@@ -5,6 +5,7 @@
 //!           (decode, exif)  (resample, tone)   (levels)      (contour)(waves)          (rows)
 //! ```
 
+mod cancellable;
 mod contour;
 mod decode;
 mod deep;
@@ -42,8 +43,9 @@ pub(super) use image::ImageFormat;
 ///
 /// # Errors
 ///
-/// [`SourceError::Picture`] if the file is damaged or has more than 100 million pixels, a setting
-/// of the shading is out of range, or the spacing is too fine for the size;
+/// [`SourceError::Picture`] if the file is damaged or has too many pixels (over 100 million, or 60
+/// million of a progressive JPEG in colour, 25 million of a GIF, WebP, BMP or TIFF, 13 million of a
+/// lossy WebP), a setting of the shading is out of range, or the spacing is too fine for the size;
 /// [`SourceError::NothingToDraw`] if it leaves no ink.
 pub(crate) fn read(
     bytes: &[u8],
@@ -52,7 +54,9 @@ pub(crate) fn read(
     let shading = &options.shading;
     shading.check()?;
     let spacing_mm = shading.spacing_mm / options.scale;
-    check_size(header(bytes)?.page(), shading.spacing_mm, options.scale)?;
+    let page = header(bytes, &options.cancel);
+    options.cancel.check()?;
+    check_size(page?.page(), shading.spacing_mm, options.scale)?;
     let (header, tone) = toned(bytes, options, spacing_mm)?;
     let strokes = strokes(&tone, shading, spacing_mm, &options.cancel);
     // What a cancelled step returned is not a drawing.
@@ -84,7 +88,7 @@ pub(crate) fn read(
 ///
 /// Those of [`read`].
 pub(super) fn page(bytes: &[u8]) -> Result<Point, SourceError> {
-    Ok(header(bytes)?.page())
+    Ok(header(bytes, &CancelToken::default())?.page())
 }
 
 /// The grid of tones, as fine as the spacing needs, whatever the size of the file.

@@ -1,15 +1,13 @@
 //! Pictures to grey pixels: PNG and JPEG here, others in `others`.
 
-use std::io::Cursor;
-
 use dobot_geometry::{CancelToken, Point};
 use image::ImageFormat;
 use png::{BitDepth, ColorType, Limits, Transformations, Unit};
 use zune_jpeg::JpegDecoder;
-use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
+use super::cancellable::CancellableBytes;
 use super::deep::DeepPixels;
 use super::exif::Orientation;
 use super::frames::ANIMATION;
@@ -88,12 +86,12 @@ fn known_format(bytes: &[u8]) -> Result<ImageFormat, ImageError> {
     format(bytes).ok_or(ImageError::UnknownFormat)
 }
 
-/// Reads the header only.
-pub(super) fn header(bytes: &[u8]) -> Result<Header, ImageError> {
+/// Reads the header only. A cancelled one may be any error.
+pub(super) fn header(bytes: &[u8], cancel: &CancelToken) -> Result<Header, ImageError> {
     match known_format(bytes)? {
-        ImageFormat::Png => png(bytes).map(|png| png.header),
-        ImageFormat::Jpeg => jpeg(bytes).map(|jpeg| jpeg.header),
-        format => others::header(bytes, format),
+        ImageFormat::Png => png(bytes, cancel).map(|png| png.header),
+        ImageFormat::Jpeg => jpeg(bytes, cancel).map(|jpeg| jpeg.header),
+        format => others::header(bytes, format, cancel),
     }
 }
 
@@ -106,20 +104,20 @@ pub(super) fn pixels(
 ) -> Result<(Header, Vec<u8>), ImageError> {
     match known_format(bytes)? {
         ImageFormat::Png => png_pixels(bytes, paper, cancel),
-        ImageFormat::Jpeg => jpeg_pixels(bytes),
-        format => others::pixels(bytes, format, paper),
+        ImageFormat::Jpeg => jpeg_pixels(bytes, cancel),
+        format => others::pixels(bytes, format, paper, cancel),
     }
 }
 
 /// A PNG file after its header.
 struct PngFile<'a> {
-    reader: png::Reader<Cursor<&'a [u8]>>,
+    reader: png::Reader<CancellableBytes<'a>>,
     header: Header,
 }
 
-fn png(bytes: &[u8]) -> Result<PngFile<'_>, ImageError> {
+fn png<'a>(bytes: &'a [u8], cancel: &CancelToken) -> Result<PngFile<'a>, ImageError> {
     let limits = Limits { bytes: PNG_BYTES };
-    let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
+    let mut decoder = png::Decoder::new_with_limits(CancellableBytes::new(bytes, cancel), limits);
     decoder.set_transformations(Transformations::EXPAND);
     let info = decoder.read_header_info().map_err(bad_png)?;
     let [width, height] = [info.width, info.height].map(|value| value as usize);
@@ -152,24 +150,23 @@ fn png_pixels(
     paper: u8,
     cancel: &CancelToken,
 ) -> Result<(Header, Vec<u8>), ImageError> {
-    let PngFile { mut reader, header } = png(bytes)?;
+    let PngFile { mut reader, header } = png(bytes, cancel)?;
     let (color, depth) = reader.output_color_type();
     if depth == BitDepth::Sixteen {
         let mut deep = DeepPixels::default();
-        rows(&mut reader, cancel, |row| add_deep(&mut deep, row, color))?;
+        rows(&mut reader, |row| add_deep(&mut deep, row, color))?;
         return complete(header, deep.shallow(paper));
     }
     let mut grey = Vec::with_capacity(header.width * header.height);
-    rows(&mut reader, cancel, |row| {
+    rows(&mut reader, |row| {
         add_grey(&mut grey, row, color, paper);
     })?;
     complete(header, grey)
 }
 
-/// Reads all rows of a PNG file, one by one unless they are interlaced, until it is cancelled.
+/// Reads all rows of a PNG file, one by one unless they are interlaced.
 fn rows(
-    reader: &mut png::Reader<Cursor<&[u8]>>,
-    cancel: &CancelToken,
+    reader: &mut png::Reader<CancellableBytes<'_>>,
     mut add: impl FnMut(&[u8]),
 ) -> Result<(), ImageError> {
     if reader.info().interlaced {
@@ -179,9 +176,7 @@ fn rows(
         add(&all);
         return Ok(());
     }
-    while !cancel.is_cancelled()
-        && let Some(row) = reader.next_row().map_err(bad_png)?
-    {
+    while let Some(row) = reader.next_row().map_err(bad_png)? {
         add(row.data());
     }
     Ok(())
@@ -248,16 +243,16 @@ fn add_grey(grey: &mut Vec<u8>, row: &[u8], color: ColorType, paper: u8) {
 
 /// A JPEG file after its header.
 struct JpegFile<'a> {
-    decoder: JpegDecoder<ZCursor<&'a [u8]>>,
+    decoder: JpegDecoder<CancellableBytes<'a>>,
     header: Header,
 }
 
-fn jpeg(bytes: &[u8]) -> Result<JpegFile<'_>, ImageError> {
+fn jpeg<'a>(bytes: &'a [u8], cancel: &CancelToken) -> Result<JpegFile<'a>, ImageError> {
     let options = DecoderOptions::default()
         .set_strict_mode(true)
         .set_max_width(usize::from(u16::MAX))
         .set_max_height(usize::from(u16::MAX));
-    let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
+    let mut decoder = JpegDecoder::new_with_options(CancellableBytes::new(bytes, cancel), options);
     decoder.decode_headers().map_err(bad_jpeg)?;
     let (width, height) = decoder
         .dimensions()
@@ -270,20 +265,53 @@ fn jpeg(bytes: &[u8]) -> Result<JpegFile<'_>, ImageError> {
         orientation: Orientation::of_exif(exif),
         series: None,
     };
-    let header = header.check(MAX_PIXELS)?;
+    let components = decoder.info().map_or(0, |info| info.components.into());
+    let most = most_jpeg_pixels(bytes, components, gives_grey(&decoder));
+    let header = header.check(most)?;
     Ok(JpegFile { decoder, header })
 }
 
-fn jpeg_pixels(bytes: &[u8]) -> Result<(Header, Vec<u8>), ImageError> {
+/// Whether the decoder gives grey pixels: the first component of the usual colour spaces is grey. Others are
+/// converted.
+fn gives_grey(decoder: &JpegDecoder<CancellableBytes<'_>>) -> bool {
+    let space = decoder.input_colorspace();
+    matches!(space, Some(ColorSpace::Luma | ColorSpace::YCbCr))
+}
+
+/// The largest number of pixels of a JPEG file. Unless one scan holds all components line by line, the decoder stores
+/// two bytes for each component of a pixel.
+fn most_jpeg_pixels(bytes: &[u8], components: usize, gives_grey: bool) -> usize {
+    if has_single_scan(bytes) {
+        return MAX_PIXELS;
+    }
+    let of_pixel = 2 * components + if gives_grey { 1 } else { 4 };
+    MAX_PIXELS.min(MAX_STORED_BYTES / of_pixel)
+}
+
+/// Whether a JPEG file is sequential, with all components in its first scan.
+///
+/// ```text
+///   FF D8   FF kind, length of the rest, ...   FF C0, length, depth, height, width, components   ...   FF DA, length, components
+/// ```
+fn has_single_scan(bytes: &[u8]) -> bool {
+    let (mut at, mut components) = (2, None);
+    while let Some(&[0xff, kind, high, low]) = bytes.get(at..at + 4) {
+        match kind {
+            0xc0 | 0xc1 => components = bytes.get(at + 9),
+            0xda => return components.is_some() && bytes.get(at + 4) == components,
+            _ => {}
+        }
+        at += 2 + usize::from(u16::from_be_bytes([high, low]));
+    }
+    false
+}
+
+fn jpeg_pixels(bytes: &[u8], cancel: &CancelToken) -> Result<(Header, Vec<u8>), ImageError> {
     let JpegFile {
         mut decoder,
         header,
-    } = jpeg(bytes)?;
-    // The first component of the usual colour spaces is grey; others are converted.
-    let grey = matches!(
-        decoder.input_colorspace(),
-        Some(ColorSpace::Luma | ColorSpace::YCbCr)
-    );
+    } = jpeg(bytes, cancel)?;
+    let grey = gives_grey(&decoder);
     let color = if grey {
         ColorSpace::Luma
     } else {
@@ -352,5 +380,7 @@ const CUT_OFF: [&str; 4] = [
 /// 96 per inch, as in browsers.
 pub(super) const PIXEL_MM: f64 = 25.4 / 96.0;
 const MAX_PIXELS: usize = 100_000_000;
+/// The largest memory for a JPEG file that the decoder stores as a whole.
+const MAX_STORED_BYTES: usize = 420_000_000;
 /// The memory limit of the PNG decoder beside the pixels: a few rows, colour profiles, texts.
 const PNG_BYTES: usize = 1 << 26;

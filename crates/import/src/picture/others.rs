@@ -1,10 +1,9 @@
 //! GIF, WebP, BMP and TIFF files to grey pixels.
 
-use std::io::Cursor;
-
-use dobot_geometry::Point;
+use dobot_geometry::{CancelToken, Point};
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
+use super::cancellable::CancellableBytes;
 use super::decode::{self, Header, PIXEL_MM, on_paper};
 use super::deep::DeepPixels;
 use super::exif::Orientation;
@@ -12,8 +11,12 @@ use super::frames::series;
 use crate::error::ImageError;
 
 /// Reads the header only.
-pub(super) fn header(bytes: &[u8], format: ImageFormat) -> Result<Header, ImageError> {
-    decoder(bytes, format).map(|decoder| decoder.1)
+pub(super) fn header(
+    bytes: &[u8],
+    format: ImageFormat,
+    cancel: &CancelToken,
+) -> Result<Header, ImageError> {
+    decoder(bytes, format, cancel).map(|decoder| decoder.1)
 }
 
 /// Reads header and pixels, 0 for black and 255 for white; transparent pixels become `paper`. Of an
@@ -22,8 +25,9 @@ pub(super) fn pixels(
     bytes: &[u8],
     format: ImageFormat,
     paper: u8,
+    cancel: &CancelToken,
 ) -> Result<(Header, Vec<u8>), ImageError> {
-    let (decoder, header) = decoder(bytes, format)?;
+    let (decoder, header) = decoder(bytes, format, cancel)?;
     let image = DynamicImage::from_decoder(decoder).map_err(|error| damaged(format, &error))?;
     if let DynamicImage::ImageLuma16(_)
     | DynamicImage::ImageLumaA16(_)
@@ -43,14 +47,15 @@ pub(super) fn pixels(
     Ok((header, grey.collect()))
 }
 
-fn decoder(
-    bytes: &[u8],
+fn decoder<'a>(
+    bytes: &'a [u8],
     format: ImageFormat,
-) -> Result<(impl ImageDecoder + '_, Header), ImageError> {
+    cancel: &CancelToken,
+) -> Result<(impl ImageDecoder + use<'a>, Header), ImageError> {
     let bad = |error| damaged(format, &error);
     let mut limits = Limits::default();
     limits.max_alloc = Some(MAX_BYTES);
-    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+    let mut reader = ImageReader::with_format(CancellableBytes::new(bytes, cancel), format);
     reader.limits(limits);
     let mut decoder = reader.into_decoder().map_err(bad)?;
     let (width, height) = decoder.dimensions();
@@ -62,7 +67,33 @@ fn decoder(
         orientation: Orientation::numbered(turned.to_exif().into()),
         series: series(bytes, format),
     };
-    Ok((decoder, header.check(MAX_PIXELS)?))
+    let most = if format == ImageFormat::WebP && !is_lossless(bytes) {
+        MAX_LOSSY_PIXELS
+    } else {
+        MAX_PIXELS
+    };
+    Ok((decoder, header.check(most)?))
+}
+
+/// Whether the first picture of a WebP file is lossless.
+///
+/// ```text
+///   RIFF length WEBP   [VP8X length ...]   [other parts]   VP8L or "VP8 ", length, ...
+/// ```
+fn is_lossless(bytes: &[u8]) -> bool {
+    let mut rest = bytes.get(12..).unwrap_or_default();
+    while let Some((&[n, a, m, e, l0, l1, l2, l3], content)) = rest.split_first_chunk() {
+        match &[n, a, m, e] {
+            b"VP8L" => return true,
+            b"VP8 " => return false,
+            _ => {}
+        }
+        let length = u32::from_le_bytes([l0, l1, l2, l3]) as usize;
+        // Parts have an even length.
+        let length = length.saturating_add(length % 2);
+        rest = content.get(length..).unwrap_or_default();
+    }
+    false
 }
 
 fn damaged(format: ImageFormat, error: &image::ImageError) -> ImageError {
@@ -77,4 +108,7 @@ fn damaged(format: ImageFormat, error: &image::ImageError) -> ImageError {
 
 /// The largest number of pixels; these decoders return all pixels at once, in colour.
 const MAX_PIXELS: usize = 25_000_000;
+/// The largest number of pixels of a lossy WebP file: they are decoded without reading further bytes, so that this
+/// cannot be cancelled, and noise takes almost half a second.
+const MAX_LOSSY_PIXELS: usize = 13_000_000;
 const MAX_BYTES: u64 = 128_000_000;

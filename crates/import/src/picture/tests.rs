@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::io::Cursor;
 
-use dobot_geometry::{Point, Stroke, bounds, bounds_of_strokes, steps};
+use dobot_geometry::{Point, Random, Stroke, bounds, bounds_of_strokes, steps};
 use image::ImageFormat::{Bmp, Gif, Tiff, WebP};
 use jpeg_encoder::{ColorType as JpegColor, Encoder as JpegEncoder};
 use png::{BitDepth, ColorType};
@@ -638,6 +638,62 @@ fn pictures_with_a_huge_size_in_the_header_are_refused() {
     assert!(message(Tiff).starts_with("cannot read the TIFF picture: "));
 }
 
+#[test]
+fn a_progressive_jpeg_in_colour_has_fewer_pixels_because_it_is_stored_as_a_whole() {
+    for (color, samples, most) in [
+        (JpegColor::Luma, 1, "100 million"),
+        (JpegColor::Rgb, 3, "60 million"),
+        (JpegColor::Cmyk, 4, "35 million"),
+    ] {
+        for is_progressive in [false, true] {
+            let mut file = Vec::new();
+            let mut encoder = JpegEncoder::new(&mut file, 50);
+            encoder.set_progressive(is_progressive);
+            encoder
+                .encode(&vec![9; 256 * samples], 16, 16, color)
+                .unwrap();
+            let frame = if is_progressive { 0xc2 } else { 0xc0 };
+            let at = file
+                .windows(2)
+                .position(|pair| pair == [0xff, frame])
+                .unwrap();
+            for place in [at + 5, at + 7] {
+                file[place..place + 2].copy_from_slice(&20_000_u16.to_be_bytes());
+            }
+            let error = read(&file, &ReadOptions::default())
+                .unwrap_err()
+                .to_string();
+            let most = if is_progressive { most } else { "100 million" };
+            assert!(error.contains(&format!("allowed are {most}")), "{error}");
+        }
+    }
+}
+
+#[test]
+fn a_lossy_webp_has_fewer_pixels_because_it_is_decoded_at_once() {
+    // RIFF, WEBP, "VP8 ", a key frame of 4,000 x 4,000 pixels; then the same size without loss.
+    let size = 4_000_u16.to_le_bytes();
+    let lossy = [
+        &b"RIFF\x1e\0\0\0WEBPVP8 \x0a\0\0\0\x10\0\0\x9d\x01\x2a"[..],
+        &size,
+        &size,
+    ];
+    let error = page(&lossy.concat()).unwrap_err();
+    let error = error.to_string();
+    assert!(
+        error.contains("4000 x 4000 pixels; allowed are 13 million"),
+        "{error}"
+    );
+    let bits = 3_999_u32 | 3_999 << 14;
+    let lossless = [
+        &b"RIFF\x12\0\0\0WEBPVP8L\x05\0\0\0\x2f"[..],
+        &bits.to_le_bytes(),
+        &[0],
+    ];
+    let size = page(&lossless.concat()).unwrap();
+    assert!((size.x - 4_000.0 * 25.4 / 96.0).abs() < 1e-9, "{size:?}");
+}
+
 /// A picture of 16 x 16 pixels whose header gives another size.
 fn sized(format: image::ImageFormat, [width, height]: [u16; 2]) -> Vec<u8> {
     let picture = image::RgbImage::from_pixel(16, 16, image::Rgb([90; 3]));
@@ -863,10 +919,37 @@ fn a_picture_of_one_tone_has_no_outlines_at_any_darkness() {
 }
 
 #[test]
-fn a_png_is_no_longer_decoded_once_it_is_cancelled() {
-    let file = encoded(1, 300, ColorType::Grayscale, BitDepth::Eight, &[0; 300]);
-    for checks in [0, 1, 10, 299] {
-        let read = pixels(&file, 255, &CancelToken::after_checks(checks));
-        assert!(read.is_err(), "{checks}");
+fn a_picture_of_any_format_is_no_longer_decoded_once_it_is_cancelled() {
+    for file in of_noise() {
+        assert!(pixels(&file, 255, &CancelToken::default()).is_ok());
+        // A decoder gets at most 4 kB at once.
+        for checks in 0..file.len() / 4096 {
+            let read = pixels(&file, 255, &CancelToken::after_checks(checks));
+            assert!(read.is_err(), "{:?} after {checks} checks", format(&file));
+        }
     }
+}
+
+/// A picture of noise, which cannot be packed, in each format.
+fn of_noise() -> Vec<Vec<u8>> {
+    let mut random = Random::new(1);
+    let bytes: Vec<u8> = (0..3 * 300 * 300)
+        .map(|_| random.number().to_le_bytes()[0])
+        .collect();
+    let picture = image::RgbImage::from_raw(300, 300, bytes.clone()).unwrap();
+    let picture = image::DynamicImage::from(picture);
+    let others = [Gif, Bmp, Tiff, WebP].map(|format| {
+        let mut file = Cursor::new(Vec::new());
+        picture.write_to(&mut file, format).unwrap();
+        file.into_inner()
+    });
+    let png = encoded(300, 300, ColorType::Rgb, BitDepth::Eight, &bytes);
+    let jpegs = [false, true].map(|is_progressive| {
+        let mut file = Vec::new();
+        let mut encoder = JpegEncoder::new(&mut file, 95);
+        encoder.set_progressive(is_progressive);
+        encoder.encode(&bytes, 300, 300, JpegColor::Rgb).unwrap();
+        file
+    });
+    [png].into_iter().chain(jpegs).chain(others).collect()
 }
