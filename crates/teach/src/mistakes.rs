@@ -28,6 +28,7 @@ pub(crate) fn mistakes_of(text: &str, lines: &Lines, first: &toml::de::Error) ->
         lines,
         mistakes: commas,
         inner: Vec::new(),
+        each: Vec::new(),
         has_all_names: true,
     };
     if errors.is_empty() {
@@ -55,6 +56,8 @@ struct Reader<'a> {
     mistakes: Vec<ProgramError>,
     /// The steps within others.
     inner: Vec<Spanned<Action>>,
+    /// The grids that steps with `each` name.
+    each: Vec<String>,
     /// Whether all named points, grids, frames, tools and variables are known.
     has_all_names: bool,
 }
@@ -145,7 +148,8 @@ impl Reader<'_> {
         program.grids = known(grids, &A_GRID);
         program.check_nested(&program.steps, &[], 0, &mut self.mistakes);
         // The steps around these may have mistakes: any of them may stand in a step with `each`.
-        let cells: Vec<&str> = program.grids.keys().map(String::as_str).collect();
+        let cells = program.grids.keys().chain(&self.each);
+        let cells: Vec<&str> = cells.map(String::as_str).collect();
         let inner = Steps(std::mem::take(&mut self.inner));
         program.check_nested(&inner, &cells, 0, &mut self.mistakes);
         if !self.has_all_names {
@@ -228,7 +232,12 @@ impl Reader<'_> {
         let sound = Spanned::new(span.clone(), DeValue::Table(sound));
         let action = Action::deserialize(ValueDeserializer::from(sound.clone()));
         match action {
-            Ok(action) => (sound, Some(Spanned::new(span, action))),
+            Ok(action) => {
+                if let Action::Each(grids, _) = &action {
+                    self.each.extend_from_slice(grids);
+                }
+                (sound, Some(Spanned::new(span, action)))
+            }
             Err(error) => {
                 if is_whole {
                     self.report(&error, span.start);

@@ -262,13 +262,23 @@ fn wrong_types_wrong_names_and_wrong_values_are_reported_together() {
                 "line 2: the number 200,5 has a decimal comma; write 200.5, with a point",
                 "line 2: the number -0,25 has a decimal comma; write -0.25, with a point",
                 "line 3: found the text \"long\"; expected a number",
-                "line 4: a step has wait beside pause",
+                "line 4: a step has pause beside wait",
                 "line 5: the number 1,5 has a decimal comma; write 1.5, with a point",
             ],
         ),
         (
-            "[[steps]]\ngo = home\n[[steps]\npause = 1\n[[steps]]\npause = 1 s",
-            &["line 2: a text must be in quotes", "line 3: ", "line 6: "],
+            "[grids.tray]\nat = { x = 200, y = 0, z = 0 }\npitch = {}\n[[steps]]\neach = \"trey\"\nsteps = [{ go = \"trey\", pause = \"long\" }]",
+            &[
+                "line 4: there is no grid \"trey\"; did you mean \"tray\"?",
+                "line 6: found the text \"long\"; expected a number",
+            ],
+        ),
+        (
+            "[[steps]]\ngo = home\n[[steps]]\nsuction = on\n",
+            &[
+                "line 2: a text must be in quotes",
+                "line 4: a text must be in quotes",
+            ],
         ),
     ] {
         let error = Program::from_toml(text).unwrap_err();
