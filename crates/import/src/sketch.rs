@@ -425,12 +425,7 @@ impl<'a> Sketch<'a> {
             return;
         }
         self.stack.note(&self.layers);
-        let mut drawn = HashMap::new();
-        for (number, layer) in self.layers.iter().enumerate() {
-            for (i, stroke) in layer.strokes.iter().enumerate() {
-                drawn.entry(corners(&stroke.points)).or_insert([number, i]);
-            }
-        }
+        let mut drawn = self.strokes_by_corners();
         for border in std::mem::take(&mut self.borders) {
             match drawn.entry(corners(&border.points)) {
                 Entry::Occupied(place) => {
@@ -447,6 +442,17 @@ impl<'a> Sketch<'a> {
                 }
             }
         }
+    }
+
+    /// The layer and the index of the first stroke with these corners.
+    fn strokes_by_corners(&self) -> HashMap<Vec<[i64; 2]>, [usize; 2]> {
+        let mut drawn = HashMap::new();
+        for (number, layer) in self.layers.iter().enumerate() {
+            for (i, stroke) in layer.strokes.iter().enumerate() {
+                drawn.entry(corners(&stroke.points)).or_insert([number, i]);
+            }
+        }
+        drawn
     }
 
     /// Removes what is under the hiding areas.

@@ -29,15 +29,7 @@ impl Model {
     /// poses which the arm's limits allow. Cylinders count as the boxes around them.
     pub(crate) fn unchecked_pairs(&self) -> Vec<Unchecked> {
         let parts: Vec<&Part> = self.solid_parts().collect();
-        let mut near = vec![vec![false; parts.len()]; parts.len()];
-        for joints in self.poses() {
-            let boxes: Vec<Vec<Block>> = self.blocks(&joints);
-            for one in 0..parts.len() {
-                for other in 0..one {
-                    near[one][other] |= are_near(&boxes[one], &boxes[other]);
-                }
-            }
-        }
+        let near = self.near_parts(parts.len());
         let mut pairs = Vec::new();
         for one in 0..parts.len() {
             for other in 0..one {
@@ -53,6 +45,20 @@ impl Model {
             }
         }
         pairs
+    }
+
+    /// Whether solid parts come near each other in any pose, by the larger index and then the smaller one.
+    fn near_parts(&self, count: usize) -> Vec<Vec<bool>> {
+        let mut near = vec![vec![false; count]; count];
+        for joints in self.poses() {
+            let boxes: Vec<Vec<Block>> = self.blocks(&joints);
+            for one in 0..count {
+                for other in 0..one {
+                    near[one][other] |= are_near(&boxes[one], &boxes[other]);
+                }
+            }
+        }
+        near
     }
 
     fn solid_parts(&self) -> impl Iterator<Item = &Part> {

@@ -30,10 +30,7 @@ impl Inertia {
         }
         let each: Vec<Self> = shapes.iter().map(Self::of_one).collect();
         let mass_kg: f64 = each.iter().map(|one| one.mass_kg).sum();
-        let at_m = [0, 1, 2].map(|axis| {
-            let moments = each.iter().map(|one| one.mass_kg * one.at_m[axis]);
-            moments.sum::<f64>() / mass_kg
-        });
+        let at_m = center_of_mass(&each, mass_kg);
         let (mut moments, mut products) = ([0.0; 3], [0.0; 3]);
         for one in &each {
             // The parallel axis theorem.
@@ -89,6 +86,14 @@ fn of_cylinder(radius_mm: f64, long_mm: f64) -> [f64; 2] {
 }
 
 const WATER_KG_PER_MM3: f64 = 1e-6;
+
+/// The center of mass of bodies, in metres.
+fn center_of_mass(bodies: &[Inertia], mass_kg: f64) -> [f64; 3] {
+    [0, 1, 2].map(|axis| {
+        let moments = bodies.iter().map(|body| body.mass_kg * body.at_m[axis]);
+        moments.sum::<f64>() / mass_kg
+    })
+}
 
 #[cfg(test)]
 mod tests {

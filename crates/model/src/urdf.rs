@@ -49,12 +49,7 @@ impl Model {
             Turn::Fixed => start(xml, "fixed", joint),
             Turn::Driven { axis, span, deg_s } => {
                 start(xml, "revolute", joint);
-                let effort = if joint.name == "servo" {
-                    SERVO_NM
-                } else {
-                    MOTOR_NM
-                };
-                turning(xml, axis, &span, deg_s, effort);
+                turning(xml, axis, &span, deg_s, effort_nm(joint));
             }
             Turn::Follows { rear, fore } => {
                 let driver = if fore == 0.0 { "rear" } else { "fore" };
@@ -70,6 +65,14 @@ impl Model {
             }
         }
         xml.end_element();
+    }
+}
+
+fn effort_nm(joint: &TreeJoint) -> f64 {
+    if joint.name == "servo" {
+        SERVO_NM
+    } else {
+        MOTOR_NM
     }
 }
 

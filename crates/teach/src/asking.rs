@@ -175,11 +175,7 @@ impl Program {
             let answer = match &pending.question {
                 Question::NextCycle => None,
                 Question::Place { .. } => Some(Answer::Place(EXAMPLE_PLACE)),
-                Question::Choice { text, answers, .. } => {
-                    let is_new = |answer: &&String| tried.insert((text.clone(), (*answer).clone()));
-                    let new = answers.iter().find(is_new);
-                    new.or(answers.first()).cloned().map(Answer::Choice)
-                }
+                Question::Choice { text, answers, .. } => untried(text, answers, tried),
             };
             match answer {
                 Some(answer) if answers.len() < MAX_ANSWERS => answers.push(answer),
@@ -187,6 +183,17 @@ impl Program {
             }
         }
     }
+}
+
+/// The first answer to a question that was not tried yet, or the first of all.
+fn untried(
+    question: &str,
+    answers: &[String],
+    tried: &mut BTreeSet<(String, String)>,
+) -> Option<Answer> {
+    let is_new = |answer: &&String| tried.insert((question.to_owned(), (*answer).clone()));
+    let new = answers.iter().find(is_new);
+    new.or(answers.first()).cloned().map(Answer::Choice)
 }
 
 /// Continues a program by an answer to its question; returns its whole job.

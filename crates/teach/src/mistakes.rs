@@ -361,11 +361,7 @@ fn with_decimal_points(text: &str, lines: &Lines) -> (String, Vec<ProgramError>)
         for number in numbers {
             for (at, found) in decimal_commas(&text, lines.range(number, &text)) {
                 if commas.insert(at) {
-                    let point = found.replace(',', ".");
-                    let reason = format!(
-                        "the number {found} has a decimal comma; write {point}, with a point"
-                    );
-                    mistakes.push(ProgramError::at(number, reason));
+                    mistakes.push(ProgramError::at(number, has_decimal_comma(found)));
                 }
             }
         }
@@ -377,6 +373,11 @@ fn with_decimal_points(text: &str, lines: &Lines) -> (String, Vec<ProgramError>)
         }
     }
     (text, mistakes)
+}
+
+fn has_decimal_comma(number: &str) -> String {
+    let point = number.replace(',', ".");
+    format!("the number {number} has a decimal comma; write {point}, with a point")
 }
 
 /// The positions of the decimal commas in a part of a text, each with its number.

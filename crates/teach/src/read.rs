@@ -22,18 +22,7 @@ impl Program {
     /// its range, an unknown name, no steps. It lists all mistakes that are independent of each
     /// other.
     pub fn from_toml(text: &str) -> Result<Self, ProgramError> {
-        if text.len() > MAX_TEXT_BYTES {
-            return Err(ProgramError::new(format!(
-                "the text has {} bytes; allowed are {MAX_TEXT_BYTES}",
-                text.len()
-            )));
-        }
-        if let Some(line) = deep_line(text) {
-            return Err(ProgramError::at(
-                line,
-                format!("a key has more than {MAX_DOTS} dots; that is deeper than any program"),
-            ));
-        }
+        check_size(text)?;
         let lines = Lines::of(text);
         let mut program: Self =
             toml::from_str(text).map_err(|first| mistakes_of(text, &lines, &first))?;
@@ -208,6 +197,20 @@ impl Program {
             Place::At(_) | Place::External(_) => Ok(()),
         }
     }
+}
+
+fn check_size(text: &str) -> Result<(), ProgramError> {
+    if text.len() > MAX_TEXT_BYTES {
+        return Err(ProgramError::new(format!(
+            "the text has {} bytes; allowed are {MAX_TEXT_BYTES}",
+            text.len()
+        )));
+    }
+    let Some(line) = deep_line(text) else {
+        return Ok(());
+    };
+    let reason = format!("a key has more than {MAX_DOTS} dots; that is deeper than any program");
+    Err(ProgramError::at(line, reason))
 }
 
 fn check_name<T>(kind: &str, name: &str, known: &BTreeMap<String, T>) -> Result<(), String> {

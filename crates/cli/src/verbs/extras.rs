@@ -1,6 +1,6 @@
 //! `dobot extras`: optional parts of the page.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::anyhow;
 use dobot_station::{EXTRAS, Extra, ExtraError};
@@ -44,17 +44,7 @@ enum Action {
 pub(crate) fn run(args: Args) -> Result<(), Failure> {
     let extras = folders(args.data)?.extras();
     match args.action {
-        None => {
-            for extra in &EXTRAS {
-                let state = if extra.is_installed(&extras) {
-                    "installed".to_owned()
-                } else {
-                    format!("not installed; its archive: npm pack {}", extra.package)
-                };
-                output::line(&format!("{}  {state}", extra.name))?;
-            }
-            Ok(())
-        }
+        None => list(&extras),
         Some(Action::Install { name, file }) => {
             let extra = named(&name)?;
             extra.install(&extras, &file).map_err(|error| match error {
@@ -68,6 +58,18 @@ pub(crate) fn run(args: Args) -> Result<(), Failure> {
             Ok(output::line(&format!("installed in {}", folder.display()))?)
         }
     }
+}
+
+fn list(extras: &Path) -> Result<(), Failure> {
+    for extra in &EXTRAS {
+        let state = if extra.is_installed(extras) {
+            "installed".to_owned()
+        } else {
+            format!("not installed; its archive: npm pack {}", extra.package)
+        };
+        output::line(&format!("{}  {state}", extra.name))?;
+    }
+    Ok(())
 }
 
 fn named(name: &str) -> Result<&'static Extra, Failure> {

@@ -100,15 +100,14 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
             let recording = open(path)?;
             Printer::new(args).print(recording, is_being_written)
         }
-        several => {
-            let error = anyhow!(
-                "one recording is printed at a time; found {}",
-                several.len()
-            );
-            let hint = "name one file; several are for `--export lerobot` and `--repair`";
-            Err(Failure::usage(error).with_hint(hint))
-        }
+        several => Err(too_many(several.len())),
     }
+}
+
+fn too_many(found: usize) -> Failure {
+    let error = anyhow!("one recording is printed at a time; found {found}");
+    let hint = "name one file; several are for `--export lerobot` and `--repair`";
+    Failure::usage(error).with_hint(hint)
 }
 
 impl Args {

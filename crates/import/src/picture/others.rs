@@ -67,12 +67,15 @@ fn decoder<'a>(
         orientation: Orientation::numbered(turned.to_exif().into()),
         series: series(bytes, format),
     };
-    let most = if format == ImageFormat::WebP && !is_lossless(bytes) {
+    Ok((decoder, header.check(max_pixels(bytes, format))?))
+}
+
+fn max_pixels(bytes: &[u8], format: ImageFormat) -> usize {
+    if format == ImageFormat::WebP && !is_lossless(bytes) {
         MAX_LOSSY_PIXELS
     } else {
         MAX_PIXELS
-    };
-    Ok((decoder, header.check(most)?))
+    }
 }
 
 /// Whether the first picture of a WebP file is lossless.

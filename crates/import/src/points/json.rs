@@ -153,7 +153,16 @@ fn refused(text: &str, path: &str, error: &serde_json::Error) -> SourceError {
     } else {
         format!(" in {path}")
     };
-    let (found, expected) = match problem.rsplit_once(", expected ") {
+    let (found, expected) = found_and_expected(text, problem, error);
+    SourceError::Found {
+        place,
+        found: printable(&(found + &inside)),
+        expected,
+    }
+}
+
+fn found_and_expected(text: &str, problem: &str, error: &serde_json::Error) -> (String, String) {
+    match problem.rsplit_once(", expected ") {
         _ if error.is_eof() => (
             "the end of the file".to_owned(),
             "the rest of the JSON text".to_owned(),
@@ -164,11 +173,6 @@ fn refused(text: &str, path: &str, error: &serde_json::Error) -> SourceError {
             excerpt(text.as_bytes(), offset(text, error)),
             format!("JSON ({problem})"),
         ),
-    };
-    SourceError::Found {
-        place,
-        found: printable(&(found + &inside)),
-        expected,
     }
 }
 

@@ -114,10 +114,9 @@ fn merge_items(old: &mut Item, new: &Item, moved: &mut Tables) {
     if let (Some(old), Some(new)) = (old.as_array_mut(), new.as_array_of_tables())
         && old.len() == new.len()
     {
-        for (old, new) in old.iter_mut().zip(new) {
-            if let Some(old) = old.as_inline_table_mut() {
-                merge_tables(old, new, moved);
-            }
+        let tables = old.iter_mut().map(Value::as_inline_table_mut).zip(new);
+        for (old, new) in tables.filter_map(|(old, new)| Some((old?, new))) {
+            merge_tables(old, new, moved);
         }
         return;
     }

@@ -146,6 +146,25 @@ impl Export {
         range: &RangeInclusive<Duration>,
         out: &Path,
     ) -> Result<String, Failure> {
+        let mut parts = self.parts(files, range)?;
+        let dataset = export_lerobot(&mut parts, self.trim_idle, out)
+            .map_err(|error| dataset_failure(out, error))?;
+        Ok(format!(
+            "{}: episodes {}, frames {}, episodes omitted because they have a single frame or no motion {}",
+            out.display(),
+            dataset.episodes,
+            dataset.frames,
+            dataset.left_out
+        ))
+    }
+
+    /// The episodes of the recordings.
+    #[cfg(feature = "full")]
+    fn parts(
+        &self,
+        files: &[PathBuf],
+        range: &RangeInclusive<Duration>,
+    ) -> Result<Vec<DatasetPart>, Failure> {
         let mut parts = Vec::new();
         for file in files {
             for MarkedEpisode { period, task } in self.episodes_of(file, range)? {
@@ -158,15 +177,7 @@ impl Export {
                 });
             }
         }
-        let dataset = export_lerobot(&mut parts, self.trim_idle, out)
-            .map_err(|error| dataset_failure(out, error))?;
-        Ok(format!(
-            "{}: episodes {}, frames {}, episodes omitted because they have a single frame or no motion {}",
-            out.display(),
-            dataset.episodes,
-            dataset.frames,
-            dataset.left_out
-        ))
+        Ok(parts)
     }
 
     /// The episodes of a recording: those asked for, else those that were marked, else all of the range.

@@ -222,13 +222,17 @@ fn tool(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
             sheet.path(cross, &edge);
         }
         ToolAction::Gripper { .. } => {
-            let half = arm.opening_mm / 2.0;
-            for left in [-half - 4.0, half] {
-                let finger = Rectangle::between([left, -5.0], [left + 4.0, 5.0]);
-                sheet.rect(&finger, 0.0, &ShapeStyle::area(ROD).edged(INK, 0.8));
-            }
+            fingers(sheet, arm.opening_mm / 2.0);
             sheet.path(cross, &ShapeStyle::line(INK, 0.8));
         }
+    }
+}
+
+/// The fingers of the gripper, each at this distance from the middle.
+fn fingers(sheet: &mut Sheet, half_mm: f64) {
+    for left in [-half_mm - 4.0, half_mm] {
+        let finger = Rectangle::between([left, -5.0], [left + 4.0, 5.0]);
+        sheet.rect(&finger, 0.0, &ShapeStyle::area(ROD).edged(INK, 0.8));
     }
 }
 

@@ -1,6 +1,7 @@
 //! Virtual arms for the tests of other programs: each serves the protocol on a TCP port of its own.
 
 use std::collections::BTreeMap;
+use std::io;
 use std::net::IpAddr;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -80,10 +81,9 @@ impl TestArms {
     /// a minute.
     pub(crate) async fn start(&self, new: &NewTestArm, ip: IpAddr) -> Result<TestArm, Problem> {
         let (arm, speed) = new.arm()?;
-        let listener = TcpListener::bind((ip, 0)).await;
-        let listener = listener.map_err(|error| ARM_NOT_STARTED.problem(error.to_string()))?;
-        let port = listener.local_addr();
-        let port = port.map_err(|error| ARM_NOT_STARTED.problem(error.to_string()))?;
+        let not_started = |error: io::Error| ARM_NOT_STARTED.problem(error.to_string());
+        let listener = TcpListener::bind((ip, 0)).await.map_err(not_started)?;
+        let port = listener.local_addr().map_err(not_started)?;
         let mut running = self.running();
         if running.arms.len() >= MAX_ARMS {
             return Err(ALL_ARMS_GIVEN.problem(format!(
