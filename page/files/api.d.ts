@@ -1085,7 +1085,6 @@ export interface paths {
         trace?: never;
     };
     "/api/v1/talk": {
-    "/api/v1/episodes": {
         parameters: {
             query?: never;
             header?: never;
@@ -1113,6 +1112,19 @@ export interface paths {
         get: operations["get_talk_audio"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/episodes": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
         get?: never;
         put?: never;
         /** Marks the recording: an episode of a dataset begins or ends here, or is discarded */
@@ -3076,8 +3088,6 @@ export interface components {
             /** @constant */
             what: "nothing";
         };
-        /** @description Where a command comes from, if not from a person's own input. */
-        Sense: "camera";
         /** @description A mark in the recording. */
         EpisodeMark: "begin" | "end" | "discard";
         /**
@@ -5151,6 +5161,7 @@ export interface components {
             client: components["schemas"]["ClientId"];
             /** @description Samples at 16 kHz, 16 bits, little-endian, one channel, as Base64; empty at the end of what is said. */
             pcm: string;
+        };
         /** @description A mark in the recording. */
         NewMark: {
             /** @description The mark. */
@@ -16500,6 +16511,122 @@ export interface operations {
         requestBody?: never;
         responses: {
             /** @description whether a listener runs */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Listener"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_talk_audio: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the pieces, in the order in which they were sent */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TalkPiece"][];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: an access token is required */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: unknown host name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     post_episodes: {
         parameters: {
             query?: never;
@@ -16529,7 +16656,6 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Listener"];
                     "application/json": components["schemas"]["Reply"];
                 };
             };
@@ -16622,68 +16748,12 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-        };
-    };
-    get_talk_audio: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description the pieces, in the order in which they were sent */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["TalkPiece"][];
-                };
-            };
-            /** @description - `malformed`: the request cannot be understood */
-            400: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description - `unauthorised`: an access token is required */
-            401: {
-                headers: {
-                    /** @description How to send a token */
-                    "WWW-Authenticate"?: string;
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-            /**
-             * @description - `forbidden-host`: unknown host name
-             *     - `forbidden-origin`: another site's page may not do this
-             */
-            403: {
             /**
              * @description - `not-recorded`: nothing is recorded
              *     - `ending`: the station is shutting down
              */
             503: {
                 headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description - `too-many-requests`: too many requests */
-            429: {
-                headers: {
-                    /** @description How long to wait, in seconds */
-                    "Retry-After"?: string;
                     [name: string]: unknown;
                 };
                 content: {
