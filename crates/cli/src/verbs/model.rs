@@ -11,7 +11,7 @@ use dobot_safety::Policy;
 use crate::failure::Failure;
 use crate::output;
 
-/// Print a model of the arm: URDF, MJCF (MuJoCo), JSON, or a configuration of MoveIt
+/// Print a model of the arm: URDF, MJCF, JSON, or a MoveIt configuration
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
