@@ -264,8 +264,8 @@ mod tests {
             assert!(off.largest_mm() <= 0.0451, "{off:?}");
             (planned_s(way), trials.left)
         };
-        let ((tried_s, left), (estimated_s, none)) = (chosen(100_000), chosen(0));
-        assert!(left < 100_000 && none == 0);
+        let ((tried_s, left), (estimated_s, none)) = (chosen(MAX_TRIED), chosen(0));
+        assert!(left < MAX_TRIED && none == 0);
         let few_s = planned_s(fewest.stroke.clone());
         assert!(
             tried_s <= few_s && tried_s <= estimated_s,
@@ -323,7 +323,7 @@ mod tests {
             });
             chosen.sum()
         };
-        let (tried_s, estimated_s) = (planned_s(100_000), planned_s(0));
+        let (tried_s, estimated_s) = (planned_s(MAX_TRIED), planned_s(0));
         assert!(
             estimated_s < 1.03 * tried_s,
             "{estimated_s} instead of {tried_s} s"
