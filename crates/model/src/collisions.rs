@@ -6,6 +6,7 @@ use dobot_arm::{Joints, Tool};
 
 use crate::joint::Joint;
 use crate::model::{Model, Part};
+use crate::mounted_tool::MountedTool;
 use crate::shape::{Shape, Solid};
 
 /// A pair of links that needs no check.
@@ -87,7 +88,7 @@ impl Model {
 
     /// Returns 2,000 poses within the limits, spread over all of them and their ends.
     fn poses(&self) -> impl Iterator<Item = Joints> + '_ {
-        let tool = self.tool.map_or(Tool::SuctionCup, |tool| tool.kind());
+        let tool = self.tool.map_or(Tool::SuctionCup, MountedTool::kind);
         let limits = self.limits;
         let spans = [limits.base, limits.rear, limits.fore, limits.servo];
         (1_u32..)

@@ -103,10 +103,11 @@ impl Model {
                 [speeds.joint_deg_s, speeds.joint_deg_s2]
             }
             .map(f64::to_radians);
-            yaml += &format!(
+            let limits = format!(
                 "  {joint}:\n    has_velocity_limits: true\n    max_velocity: {velocity}\n    \
                  has_acceleration_limits: true\n    max_acceleration: {acceleration}\n"
             );
+            yaml.push_str(&limits);
         }
         yaml
     }

@@ -46,7 +46,7 @@ use crate::output;
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let defaults = args.from_file.clone();
-    let done = draw(args).await;
+    let done = Box::pin(draw(args)).await;
     let hint = || defaults?.hint();
     done.map_err(|failure| failure.or_hint(hint))
 }

@@ -684,7 +684,7 @@ fn a_lossy_webp_has_fewer_pixels_because_it_is_decoded_at_once() {
         error.contains("4000 x 4000 pixels; allowed are 13 million"),
         "{error}"
     );
-    let bits = 3_999_u32 | 3_999 << 14;
+    let bits = 3_999_u32 + (3_999 << 14);
     let lossless = [
         &b"RIFF\x12\0\0\0WEBPVP8L\x05\0\0\0\x2f"[..],
         &bits.to_le_bytes(),

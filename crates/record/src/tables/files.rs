@@ -56,7 +56,7 @@ pub fn export_files(
             let _ = fs::remove_file(out);
         }
     })?;
-    let (statuses, commands) = tables(form, statuses, commands)?;
+    let [statuses, commands] = tables(form, statuses, commands)?;
     let written = export_tables(recording, stretch, statuses, commands)?;
     Ok((written, beside))
 }
@@ -65,17 +65,17 @@ fn tables(
     form: TableForm,
     statuses: BufWriter<File>,
     commands: BufWriter<File>,
-) -> Result<(Table<BufWriter<File>>, Table<BufWriter<File>>), ExportError> {
+) -> Result<[Table<BufWriter<File>>; 2], ExportError> {
     Ok(match form {
         #[cfg(feature = "parquet")]
-        TableForm::Parquet => (
+        TableForm::Parquet => [
             Table::statuses_parquet(statuses)?,
             Table::commands_parquet(commands)?,
-        ),
-        TableForm::Csv => (
+        ],
+        TableForm::Csv => [
             Table::statuses_csv(statuses)?,
             Table::commands_csv(commands)?,
-        ),
+        ],
     })
 }
 

@@ -58,7 +58,8 @@ impl Lesson {
             .iter()
             .flat_map(|path| check(path, &arm.rules.policy, arm.model()).problems);
         if let Some(first) = problems.next() {
-            let rows = outline(&self.program());
+            let shown = self.program();
+            let rows = outline(&shown);
             if first.file.is_none()
                 && let Some(at) = rows.iter().rposition(|row| {
                     let line = row.step.map(|step| program.line_of(step));
