@@ -35,7 +35,10 @@ type Events = Arc<Mutex<Vec<String>>>;
 
 #[pymethods]
 impl Served {
-    #[expect(clippy::similar_names, reason = "the names are those of Python's arguments")]
+    #[expect(
+        clippy::similar_names,
+        reason = "the names are those of Python's arguments"
+    )]
     #[new]
     fn new(
         py: Python<'_>,

@@ -108,6 +108,7 @@ mod tests {
     }
 
     #[test]
+    #[expect(clippy::approx_constant, reason = "what people type")]
     fn radians_become_degrees_and_four_digits_of_a_quarter_turn_are_allowed() {
         for (rad, expected) in [(-1.5708, -90.0), (1.5708, 90.0), (0.0, 0.0), (0.5236, 30.0)] {
             let found = angle_deg(&command(&["gripper"], &[rad], &[0.0])).unwrap();

@@ -154,16 +154,14 @@ impl Parameters {
     }
 
     fn refused(&self, name: &str) -> raw::SetParametersResult {
-        let reason = match self.named(name) {
-            Some(known) => format!("{name} is read-only; {}", known.remedy),
-            None => {
+        let reason = self.named(name).map_or_else(
+            || {
                 let names: Vec<&str> = self.all.iter().map(|known| known.name).collect();
-                format!(
-                    "there is no parameter {name:?}; there are {}",
-                    names.join(", ")
-                )
-            }
-        };
+                let names = names.join(", ");
+                format!("there is no parameter {name:?}; there are {names}")
+            },
+            |known| format!("{name} is read-only; {}", known.remedy),
+        );
         raw::SetParametersResult {
             successful: false,
             reason,
