@@ -1,5 +1,6 @@
 //! Optional parts of the page.
 
+use std::fs;
 use std::sync::Arc;
 
 use axum::Json;
@@ -7,6 +8,7 @@ use axum::extract::{Path, State};
 use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE};
 use axum::response::{IntoResponse, Response};
 use dobot_api::problem_kinds::NO_SUCH_FILE;
+use tokio::task::spawn_blocking;
 
 use super::GET;
 use crate::EXTRAS;
@@ -46,10 +48,8 @@ async fn file(
 ) -> Result<Response, RequestFailed> {
     let extra = EXTRAS.iter().find(|it| it.name == extra);
     let path = extra.and_then(|extra| extra.file(&app.extras, &name));
-    let content = match &path {
-        Some(path) => tokio::fs::read(path).await.ok(),
-        None => None,
-    };
+    let read = spawn_blocking(move || path.and_then(|path| fs::read(path).ok()));
+    let content = read.await.ok().flatten();
     let content = content.ok_or_else(|| {
         let name: String = name.chars().take(80).collect();
         let hint = "`dobot extras` says how to install optional parts";
