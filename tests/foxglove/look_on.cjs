@@ -25,26 +25,26 @@ const addresses = new Promise((found, failed) => {
   station.on("exit", () => failed(new Error(`the station ended: ${text}`)));
 });
 
-/** What is told, by topic. */
+/** The messages, by topic. */
 async function lookOn(live) {
   const client = new FoxgloveClient({ ws: new WebSocket(live, ["foxglove.sdk.v1"]) });
-  const channels = new Map(), topics = new Map(), told = new Map();
+  const channels = new Map(), topics = new Map(), messages = new Map();
   client.on("message", ({ subscriptionId, timestamp, data }) => {
     const topic = topics.get(subscriptionId);
-    told.get(topic).push({ timestamp, value: JSON.parse(new TextDecoder().decode(data)) });
+    messages.get(topic).push({ timestamp, value: JSON.parse(new TextDecoder().decode(data)) });
   });
   await new Promise((offered, failed) => {
     client.on("error", failed);
     client.on("advertise", (list) => {
       for (const channel of list) {
         channels.set(channel.topic, channel);
-        told.set(channel.topic, []);
+        messages.set(channel.topic, []);
         topics.set(client.subscribe(channel.id), channel.topic);
       }
       offered();
     });
   });
-  return { channels, told, close: () => client.close() };
+  return { channels, messages, close: () => client.close() };
 }
 
 async function until(what, holds) {
@@ -67,9 +67,9 @@ function place(transforms, frame) {
   return at;
 }
 
-/** The lines of ink that are told, each a list of points; every piece is told once. */
-function inkOf(told) {
-  const entities = told.get("/arm/ink").flatMap(({ value }) => value.entities);
+/** The lines of ink in the messages, each a list of points; every piece is sent once. */
+function inkOf(messages) {
+  const entities = messages.get("/arm/ink").flatMap(({ value }) => value.entities);
   assert.equal(new Set(entities.map(({ id }) => id)).size, entities.length);
   assert.ok(entities.every(({ frame_id }) => frame_id === "base"));
   return entities.flatMap(({ lines }) => lines.map(({ points }) => points.map(({ x, y, z }) => [x, y, z])));
@@ -93,9 +93,9 @@ function assertSquare(lines, z_m) {
 
 async function main() {
   const { page, live } = await addresses;
-  const { channels, told, close } = await lookOn(live);
+  const { channels, messages, close } = await lookOn(live);
   const topics = ["/tf", "/arm/ink", "/arm/target", "/arm/pose", "/arm/joints", "/wire/to_arm", "/wire/from_arm", "/station/state", "/station/notices"];
-  // Whoever comes while a station starts is told of the topics one after the other.
+  // A client that connects while a station starts receives the topics one after the other.
   await until("all topics", () => topics.every((topic) => channels.has(topic)));
   for (const topic of topics) {
     assert.equal(channels.get(topic).encoding, "json", topic);
@@ -103,44 +103,44 @@ async function main() {
   }
   assert.equal(channels.get("/tf").schemaName, "foxglove.FrameTransforms");
   for (const topic of ["/arm/ink", "/arm/target"]) assert.equal(channels.get(topic).schemaName, "foxglove.SceneUpdate");
-  await until("a state", () => told.get("/station/state").length > 0);
+  await until("a state", () => messages.get("/station/state").length > 0);
   execFileSync(dobot, ["confirm", "--station", page]);
   execFileSync(dobot, ["move", "220", "50", "30", "--path", "movl", "--station", page]);
-  const last = () => told.get("/tf").at(-1)?.value.transforms;
+  const last = () => messages.get("/tf").at(-1)?.value.transforms;
   await until("the tool where it was sent", () => {
     const [x, y, z] = last() ? place(last(), "tool") : [];
     return Math.hypot(x - 0.22, y - 0.05, z - 0.03) < 2e-4;
   });
   // The links of the URDF bring the tool to the pose that the arm tells; how long the tool is, the policy says.
-  const { position } = told.get("/arm/pose").at(-1).value.pose;
+  const { position } = messages.get("/arm/pose").at(-1).value.pose;
   place(last(), "tool").forEach((it, n) => assert.ok(Math.abs(it - [position.x, position.y, position.z][n]) < 1e-6, `${it}`));
   const tip_m = place(last(), "tool")[2] - place(last(), "tip")[2];
   assert.ok(tip_m >= 0.02 && tip_m <= 0.2, `${tip_m}`);
   // The target was shown with the way to it, and is gone where the arm has come there.
-  await until("the end of the target", () => told.get("/arm/target").at(-1)?.value.deletions[0]?.id === "target");
-  const [target] = told.get("/arm/target")[0].value.entities;
+  await until("the end of the target", () => messages.get("/arm/target").at(-1)?.value.deletions[0]?.id === "target");
+  const [target] = messages.get("/arm/target")[0].value.entities;
   const { points } = target.lines[0], aim = target.spheres[0].pose.position;
   assert.ok(Math.hypot(aim.x - 0.22, aim.y - 0.05, aim.z - (0.03 - tip_m)) < 2e-5);
   assert.equal(points.length, 17);
   assert.deepEqual(points.at(-1), aim);
-  assert.equal(told.get("/arm/ink").length, 0);
-  const commands = told.get("/wire/to_arm").map(({ value }) => value.command).filter((it) => it?.type === "move_to");
+  assert.equal(messages.get("/arm/ink").length, 0);
+  const commands = messages.get("/wire/to_arm").map(({ value }) => value.command).filter((it) => it?.type === "move_to");
   assert.deepEqual(commands.map(({ x_mm, y_mm, z_mm }) => [x_mm, y_mm, z_mm]), [[220, 50, 30]]);
-  assert.ok(told.get("/station/notices").length > 0);
-  assert.ok(told.get("/arm/joints").some(({ value }) => value.base_deg > 12));
+  assert.ok(messages.get("/station/notices").length > 0);
+  assert.ok(messages.get("/arm/joints").some(({ value }) => value.base_deg > 12));
   // The times are those of the messages, in the order in which they came.
-  const times = told.get("/wire/from_arm").map(({ timestamp }) => timestamp);
+  const times = messages.get("/wire/from_arm").map(({ timestamp }) => timestamp);
   assert.ok(times.every((it, n) => n === 0 || it >= times[n - 1]));
   assert.ok(Math.abs(Number(times.at(-1) / 1_000_000n) - Date.now()) < FAR);
   execFileSync(dobot, ["draw", SQUARE, "--pen-down", "-40", "--station", page]);
-  await until("the square", () => Math.abs(inkOf(told).reduce((sum, line) => sum + lengthOf(line), 0) - 0.12) < 2e-4);
-  assertSquare(inkOf(told), -0.04 - tip_m);
-  // One who comes late is told all of it, and nobody else is told it again.
-  const before = told.get("/arm/ink").length;
+  await until("the square", () => Math.abs(inkOf(messages).reduce((sum, line) => sum + lengthOf(line), 0) - 0.12) < 2e-4);
+  assertSquare(inkOf(messages), -0.04 - tip_m);
+  // A late client receives all of it, and the others do not receive it again.
+  const before = messages.get("/arm/ink").length;
   const late = await lookOn(live);
-  await until("the ink, late", () => inkOf(late.told).length === inkOf(told).length);
-  assertSquare(inkOf(late.told), -0.04 - tip_m);
-  assert.equal(told.get("/arm/ink").length, before);
+  await until("the ink, late", () => inkOf(late.messages).length === inkOf(messages).length);
+  assertSquare(inkOf(late.messages), -0.04 - tip_m);
+  assert.equal(messages.get("/arm/ink").length, before);
   late.close();
   console.log(`${channels.size} topics, ${times.length} statuses, ${commands.length} target: read`);
   close();

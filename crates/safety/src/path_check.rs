@@ -17,7 +17,7 @@ pub(crate) struct Breach {
     /// The last allowed point.
     pub(crate) nearest: PathPoint,
     /// The distance covered by the tool until there.
-    pub(crate) gone_mm: f64,
+    pub(crate) covered_mm: f64,
 }
 
 /// The check of a path, up to the current point.
@@ -26,7 +26,7 @@ pub(crate) struct PathCheck<'a> {
     rules: EffectiveRules<'a>,
     /// The current point.
     here: PathPoint,
-    gone_mm: f64,
+    covered_mm: f64,
 }
 
 impl<'a> PathCheck<'a> {
@@ -37,7 +37,7 @@ impl<'a> PathCheck<'a> {
         Ok(Self {
             rules,
             here,
-            gone_mm: 0.0,
+            covered_mm: 0.0,
         })
     }
 
@@ -97,7 +97,7 @@ impl<'a> PathCheck<'a> {
     }
 
     fn advance(&mut self, to: PathPoint) {
-        self.gone_mm += distance(self.here.body.tool, to.body.tool);
+        self.covered_mm += distance(self.here.body.tool, to.body.tool);
         self.rules.advance(&to);
         self.here = to;
     }
@@ -108,7 +108,7 @@ impl<'a> PathCheck<'a> {
             at,
             at_s,
             nearest: self.here,
-            gone_mm: self.gone_mm,
+            covered_mm: self.covered_mm,
         }
     }
 }

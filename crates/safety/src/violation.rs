@@ -131,11 +131,11 @@ impl Violation {
         let message = format!(
             "{}; the path is free for {} mm{}, up to x {x} y {y} z {z} mm",
             violation.message,
-            Rounded(breach.gone_mm),
+            Rounded(breach.covered_mm),
             Seconds(breach.at_s),
         );
         let location = |point: PathPoint| Location {
-            along_mm: breach.gone_mm,
+            along_mm: breach.covered_mm,
             after_s: breach.at_s,
             ..Location::of(&point)
         };

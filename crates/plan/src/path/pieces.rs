@@ -347,10 +347,14 @@ mod tests {
             let mut ways_mm = Vec::new();
             if let Some(ticker) = &mut ticker {
                 let tick_stroke = ticker.run(&write(vector));
-                ways_mm.extend(tick_stroke.speeds_mm_s().scan(0.0, |gone_mm, speed_mm_s| {
-                    *gone_mm += f64::from(speed_mm_s * TICK_S);
-                    Some(*gone_mm)
-                }));
+                ways_mm.extend(
+                    tick_stroke
+                        .speeds_mm_s()
+                        .scan(0.0, |covered_mm, speed_mm_s| {
+                            *covered_mm += f64::from(speed_mm_s * TICK_S);
+                            Some(*covered_mm)
+                        }),
+                );
             } else {
                 let profile = vector.profile(plan.arm_limits().acceleration_mm_s2);
                 let end_s = begin_s + profile.duration_s();

@@ -78,25 +78,25 @@ impl Motion {
 
     /// Returns the distance along the path at a time, in mm.
     #[must_use]
-    pub fn gone_mm(&self, t_s: f64) -> f64 {
+    pub fn covered_mm(&self, t_s: f64) -> f64 {
         let after = self.vectors.partition_point(|vector| vector.begin_s <= t_s);
         after.checked_sub(1).map_or(0.0, |i| {
             let vector = &self.vectors[i];
             let since_s = ((t_s - vector.begin_s) / vector.slower).min(vector.duration_s);
-            let gone_mm = vector.ramps.distance_mm(since_s);
-            vector.begin_mm + gone_mm.min(vector.length_mm)
+            let covered_mm = vector.ramps.distance_mm(since_s);
+            vector.begin_mm + covered_mm.min(vector.length_mm)
         })
     }
 
     /// Returns the time at a distance along the path, in s.
     #[must_use]
-    pub fn reached_s(&self, gone_mm: f64) -> f64 {
+    pub fn reached_s(&self, covered_mm: f64) -> f64 {
         let after = self
             .vectors
-            .partition_point(|vector| vector.begin_mm <= gone_mm);
+            .partition_point(|vector| vector.begin_mm <= covered_mm);
         after.checked_sub(1).map_or(0.0, |i| {
             let vector = &self.vectors[i];
-            let along_mm = (gone_mm - vector.begin_mm).min(vector.length_mm);
+            let along_mm = (covered_mm - vector.begin_mm).min(vector.length_mm);
             let since_s = vector.ramps.reached_s(along_mm);
             vector.begin_s + vector.slower * since_s.min(vector.duration_s)
         })
@@ -127,10 +127,13 @@ mod tests {
             (1.2, 38.0),
             (1.4, 40.0),
         ];
-        for (t_s, gone_mm) in moments {
-            assert!((motion.gone_mm(t_s) - gone_mm).abs() < 1e-9, "{t_s}");
-            assert!((motion.reached_s(gone_mm) - t_s).abs() < 1e-9, "{gone_mm}");
+        for (t_s, covered_mm) in moments {
+            assert!((motion.covered_mm(t_s) - covered_mm).abs() < 1e-9, "{t_s}");
+            assert!(
+                (motion.reached_s(covered_mm) - t_s).abs() < 1e-9,
+                "{covered_mm}"
+            );
         }
-        assert!((motion.gone_mm(9.0) - 40.0).abs() < 1e-9);
+        assert!((motion.covered_mm(9.0) - 40.0).abs() < 1e-9);
     }
 }

@@ -101,14 +101,14 @@ impl<'a> SampledMotion<'a> {
         let (begin_s, place) = self.begins[i];
         let (run, speeds) = (&self.chain[i], &self.speeds[i]);
         let since_s = t_s - begin_s;
-        let gone_mm = if since_s < 0.0 {
+        let covered_mm = if since_s < 0.0 {
             since_s * speeds.start_mm_s
         } else if since_s >= speeds.duration_s {
             run.length_mm
         } else {
             self.ramps[i].distance_mm(since_s)
         };
-        on(place, run, gone_mm)
+        on(place, run, covered_mm)
     }
 
     /// Returns the corner closest in time.
@@ -185,9 +185,9 @@ pub(crate) fn at_ticks(
 ) -> impl Iterator<Item = [f64; 3]> {
     tick_stroke
         .speeds_mm_s()
-        .scan(0.0, move |gone_mm, speed_mm_s| {
-            *gone_mm += f64::from(speed_mm_s * TICK_S);
-            Some([0, 1, 2].map(|i| begin[i] + *gone_mm * direction[i]))
+        .scan(0.0, move |covered_mm, speed_mm_s| {
+            *covered_mm += f64::from(speed_mm_s * TICK_S);
+            Some([0, 1, 2].map(|i| begin[i] + *covered_mm * direction[i]))
         })
 }
 

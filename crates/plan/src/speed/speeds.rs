@@ -74,12 +74,12 @@ impl Ramps {
     }
 
     /// Returns the time at a distance along the vector, in s.
-    pub(crate) fn reached_s(&self, gone_mm: f64) -> f64 {
+    pub(crate) fn reached_s(&self, covered_mm: f64) -> f64 {
         let (start, peak, a) = (self.start_mm_s, self.peak_mm_s, self.acceleration);
-        if gone_mm <= self.up_mm {
-            return ((start * start + 2.0 * a * gone_mm).sqrt() - start) / a;
+        if covered_mm <= self.up_mm {
+            return ((start * start + 2.0 * a * covered_mm).sqrt() - start) / a;
         }
-        let even_mm = gone_mm - self.up_mm;
+        let even_mm = covered_mm - self.up_mm;
         if even_mm <= peak * self.even_s {
             return self.up_s + even_mm / peak;
         }

@@ -139,19 +139,19 @@ fn followers(levels: &[Vec<Vec<Point>>]) -> Vec<Vec<Option<usize>>> {
 fn coil(ring: &[Point], inner: &[Point], spacing_mm: f64) -> Vec<Point> {
     let length_mm: f64 = edges(ring).map(|(a, b)| a.distance(b)).sum();
     let index = SegmentIndex::new(edges(inner).collect());
-    let mut gone_mm = 0.0;
+    let mut covered_mm = 0.0;
     let mut points = Vec::with_capacity(ring.len());
     for (a, b) in edges(ring) {
         let there = index.nearest(a).map_or(a, |(edge, _)| {
             let (p, q) = index.segment(edge);
             nearest_on((p, q), a).0
         });
-        let moved = a.lerp(there, gone_mm / length_mm);
+        let moved = a.lerp(there, covered_mm / length_mm);
         // Within a spacing of the inner ring everything is area; farther away, as in a thin tip,
         // only the ring itself is certain.
         let is_inside = moved.distance(there) <= spacing_mm;
         points.push(if is_inside { moved } else { a });
-        gone_mm += a.distance(b);
+        covered_mm += a.distance(b);
     }
     points
 }

@@ -57,25 +57,25 @@ struct PlannedPath<'a> {
     /// The time of each corner, in s.
     times_s: Vec<f64>,
     /// The distance of each corner along the stroke, in mm.
-    gone_mm: Vec<f64>,
+    covered_mm: Vec<f64>,
 }
 
 impl<'a> PlannedPath<'a> {
     fn new(lengths: &Lengths<'_>, corners: &'a [Corner], durations_s: &[f64]) -> Self {
-        let (mut times_s, mut gone_mm) = (vec![0.0], Vec::with_capacity(corners.len()));
+        let (mut times_s, mut covered_mm) = (vec![0.0], Vec::with_capacity(corners.len()));
         times_s.extend(durations_s.iter().scan(0.0, |time_s, duration_s| {
             *time_s += duration_s;
             Some(*time_s)
         }));
         // On a stroke that turns back, a corner may lie before its predecessor.
-        gone_mm.extend(corners.iter().scan(0.0_f64, |gone_mm, corner| {
-            *gone_mm = gone_mm.max(lengths.gone_mm(corner));
-            Some(*gone_mm)
+        covered_mm.extend(corners.iter().scan(0.0_f64, |covered_mm, corner| {
+            *covered_mm = covered_mm.max(lengths.covered_mm(corner));
+            Some(*covered_mm)
         }));
         Self {
             corners,
             times_s,
-            gone_mm,
+            covered_mm,
         }
     }
 
@@ -91,13 +91,13 @@ impl<'a> PlannedPath<'a> {
     }
 
     /// Returns the time at a distance along the stroke, in s.
-    fn time_s(&self, gone_mm: f64) -> f64 {
+    fn time_s(&self, covered_mm: f64) -> f64 {
         let after = self
-            .gone_mm
-            .partition_point(|corner_mm| *corner_mm <= gone_mm);
+            .covered_mm
+            .partition_point(|corner_mm| *corner_mm <= covered_mm);
         let after = after.clamp(1, self.corners.len() - 1);
-        let [from_mm, to_mm] = [after - 1, after].map(|i| self.gone_mm[i]);
-        let share = (gone_mm - from_mm) / (to_mm - from_mm).max(f64::MIN_POSITIVE);
+        let [from_mm, to_mm] = [after - 1, after].map(|i| self.covered_mm[i]);
+        let share = (covered_mm - from_mm) / (to_mm - from_mm).max(f64::MIN_POSITIVE);
         let [from_s, to_s] = [after - 1, after].map(|i| self.times_s[i]);
         from_s + share.clamp(0.0, 1.0) * (to_s - from_s)
     }
@@ -111,30 +111,30 @@ impl<'a> PlannedPath<'a> {
 /// The distances of a stroke's points along it, in mm.
 struct Lengths<'a> {
     points: &'a [Point],
-    gone_mm: Vec<f64>,
+    covered_mm: Vec<f64>,
 }
 
 impl<'a> Lengths<'a> {
     fn of(corridor: &Corridor<'a>) -> Self {
         let points = corridor.points;
         let lengths = points.windows(2).map(|pair| pair[0].distance(pair[1]));
-        let mut gone_mm = vec![0.0];
-        gone_mm.extend(lengths.scan(0.0, |gone_mm, length_mm| {
-            *gone_mm += length_mm;
-            Some(*gone_mm)
+        let mut covered_mm = vec![0.0];
+        covered_mm.extend(lengths.scan(0.0, |covered_mm, length_mm| {
+            *covered_mm += length_mm;
+            Some(*covered_mm)
         }));
-        Self { points, gone_mm }
+        Self { points, covered_mm }
     }
 
     /// Returns the distance of a corner along the stroke.
-    fn gone_mm(&self, corner: &Corner) -> f64 {
+    fn covered_mm(&self, corner: &Corner) -> f64 {
         let i = corner.passed;
         let Some(next) = self.points.get(i + 1) else {
-            return self.gone_mm[i];
+            return self.covered_mm[i];
         };
         let way = *next - self.points[i];
         let share = (corner.at - self.points[i]).dot(way) / way.hypot2().max(f64::MIN_POSITIVE);
-        self.gone_mm[i] + share.clamp(0.0, 1.0) * way.length()
+        self.covered_mm[i] + share.clamp(0.0, 1.0) * way.length()
     }
 }
 
@@ -143,7 +143,7 @@ impl<'a> Lengths<'a> {
 struct Node {
     path: usize,
     corner: usize,
-    gone_mm: f64,
+    covered_mm: f64,
 }
 
 /// The fastest way to reach a node.
@@ -182,18 +182,18 @@ impl Paths<'_> {
         for (path, planned) in self.all.iter().enumerate() {
             nodes.extend(
                 planned
-                    .gone_mm
+                    .covered_mm
                     .iter()
                     .enumerate()
-                    .map(|(corner, gone_mm)| Node {
+                    .map(|(corner, covered_mm)| Node {
                         path,
                         corner,
-                        gone_mm: *gone_mm,
+                        covered_mm: *covered_mm,
                     }),
             );
         }
         // A stable sort keeps the corners of a path in order.
-        nodes.sort_by(|a, b| a.gone_mm.total_cmp(&b.gone_mm));
+        nodes.sort_by(|a, b| a.covered_mm.total_cmp(&b.covered_mm));
         nodes
     }
 
@@ -236,11 +236,11 @@ impl Paths<'_> {
     /// Updates the corners of other paths that one vector from here reaches sooner than known.
     fn change(&self, nodes: &[Node], here: usize, labels: &mut [Label]) {
         let (node, from) = (nodes[here], self.corner(nodes[here]));
-        let own_mm = &self.all[node.path].gone_mm;
+        let own_mm = &self.all[node.path].covered_mm;
         let until_mm = own_mm[(node.corner + AHEAD).min(own_mm.len() - 1)];
         let mut visibility = Visibility::from(self.corridor, from, 0.0);
         let next = nodes.iter().enumerate().skip(here + 1);
-        for (there, next) in next.take_while(|(_, node)| node.gone_mm <= until_mm) {
+        for (there, next) in next.take_while(|(_, node)| node.covered_mm <= until_mm) {
             let to = self.corner(*next);
             // Where the stroke turns back, distances need not follow the order of the points.
             if next.path == node.path || to.passed < visibility.passed {
@@ -264,9 +264,9 @@ impl Paths<'_> {
     fn took_s(&self, from: Node, to: Node, sooner_s: f64) -> f64 {
         let [own, other] = [from, to].map(|node| &self.all[node.path]);
         let (begin_s, end_s) = (own.times_s[from.corner], other.times_s[to.corner]);
-        let beside_s = other.time_s(from.gone_mm);
+        let beside_s = other.time_s(from.covered_mm);
         // Both paths cover this part of the stroke; use the mean of their durations.
-        let took_s = 0.5 * (end_s - beside_s + own.time_s(to.gone_mm) - begin_s);
+        let took_s = 0.5 * (end_s - beside_s + own.time_s(to.covered_mm) - begin_s);
         let took_s = took_s.max(self.estimator.link.period_s);
         // What follows only adds to it. The margin is for rounding.
         if took_s + self.change_s > sooner_s + ROUNDING_S {

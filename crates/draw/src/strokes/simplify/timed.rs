@@ -28,7 +28,7 @@ pub(super) struct Course<'a> {
     path: &'a [Corner],
     motion: Motion,
     /// The distance along the path at each tick, in mm.
-    gone_mm: Vec<f64>,
+    covered_mm: Vec<f64>,
     /// The sampling window of the acceleration, in s.
     window_s: f64,
 }
@@ -50,21 +50,21 @@ impl<'a> Course<'a> {
         });
         let motion = Motion::along(&gentle, least_s, increments);
         let times_s = (0_u32..).map(|tick| f64::from(tick) * TICK_S);
-        let mut gone_mm: Vec<f64> = times_s
+        let mut covered_mm: Vec<f64> = times_s
             .take_while(|time_s| *time_s < motion.duration_s())
-            .map(|time_s| motion.gone_mm(time_s))
+            .map(|time_s| motion.covered_mm(time_s))
             .collect();
-        gone_mm.push(motion.gone_mm(motion.duration_s()));
+        covered_mm.push(motion.covered_mm(motion.duration_s()));
         Self {
             motion,
-            gone_mm,
+            covered_mm,
             window_s: estimator.cornering.window_s,
             path,
         }
     }
 
     /// Returns the distance along the path at a time, in mm, with constant speed between ticks.
-    fn gone_mm(&self, time_s: f64) -> f64 {
+    fn covered_mm(&self, time_s: f64) -> f64 {
         let ticks = (time_s * (1.0 / TICK_S)).max(0.0);
         #[expect(
             clippy::cast_possible_truncation,
@@ -72,11 +72,11 @@ impl<'a> Course<'a> {
             reason = "not below 0"
         )]
         let tick = ticks as usize;
-        let last = self.gone_mm.len() - 1;
+        let last = self.covered_mm.len() - 1;
         if tick >= last {
-            return self.gone_mm[last];
+            return self.covered_mm[last];
         }
-        let [from, to] = [tick, tick + 1].map(|i| self.gone_mm[i]);
+        let [from, to] = [tick, tick + 1].map(|i| self.covered_mm[i]);
         from + (to - from) * ticks.fract()
     }
 
@@ -126,7 +126,7 @@ struct CornerPlace {
     time_s: f64,
     /// The distance of the motion along its path, and its distances in the windows before and
     /// after, in mm.
-    gone_mm: f64,
+    covered_mm: f64,
     before_mm: f64,
     after_mm: f64,
 }
@@ -153,7 +153,7 @@ struct TickPlace {
     unit: Vec2,
     passed: usize,
     time_s: f64,
-    gone_mm: f64,
+    covered_mm: f64,
 }
 
 impl<'a> CornerPlaces<'a> {
@@ -176,12 +176,13 @@ impl<'a> CornerPlaces<'a> {
             let mut passed = pair[0].passed;
             loop {
                 let time_s = tick * TICK_S;
-                let gone_mm = course.gone_mm(time_s);
-                let ends = time_s >= course.motion.duration_s() || gone_mm >= begin_mm + length_mm;
+                let covered_mm = course.covered_mm(time_s);
+                let ends =
+                    time_s >= course.motion.duration_s() || covered_mm >= begin_mm + length_mm;
                 let until_mm = if ends {
                     f64::INFINITY
                 } else {
-                    gone_mm - begin_mm
+                    covered_mm - begin_mm
                 };
                 while passed < pair[1].passed {
                     let along_mm = (corridor.points[passed + 1] - pair[0].at).dot(unit);
@@ -200,7 +201,7 @@ impl<'a> CornerPlaces<'a> {
                     unit,
                     passed,
                     time_s,
-                    gone_mm,
+                    covered_mm,
                 });
                 tick += 1.0;
             }
@@ -247,16 +248,16 @@ impl<'a> CornerPlaces<'a> {
         let at = from + way * share.clamp(0.0, 1.0);
         let across = tick.unit.turn_90() * corridor.radii[tick.passed].min(corridor.radii[next]);
         let places = self.sides.iter().map(|side| at + across * *side);
-        self.add(places, tick.passed, tick.time_s, tick.gone_mm);
+        self.add(places, tick.passed, tick.time_s, tick.covered_mm);
     }
 
     /// Adds the places at a sharp turn of the stroke, at any time.
-    fn add_sharp(&mut self, i: usize, gone_mm: f64) {
+    fn add_sharp(&mut self, i: usize, covered_mm: f64) {
         let points = self.corridor.points;
         if i + 1 < points.len() && is_sharp(points[i - 1], points[i], points[i + 1]) {
             let [left, right] = self.corridor.beside(i);
-            let time_s = self.course.motion.reached_s(gone_mm);
-            self.add([points[i], left, right], i, time_s, gone_mm);
+            let time_s = self.course.motion.reached_s(covered_mm);
+            self.add([points[i], left, right], i, time_s, covered_mm);
         }
     }
 
@@ -265,20 +266,20 @@ impl<'a> CornerPlaces<'a> {
         at: impl IntoIterator<Item = Point>,
         passed: usize,
         time_s: f64,
-        gone_mm: f64,
+        covered_mm: f64,
     ) {
-        let gone = |t_s: f64| self.course.gone_mm(t_s);
+        let gone = |t_s: f64| self.course.covered_mm(t_s);
         let window_s = self.course.window_s;
         let (before_mm, after_mm) = (
-            gone_mm - gone(time_s - window_s),
-            gone(time_s + window_s) - gone_mm,
+            covered_mm - gone(time_s - window_s),
+            gone(time_s + window_s) - covered_mm,
         );
         let places = at.into_iter().map(|at| CornerPlace {
             at,
             passed,
             step: self.step,
             time_s,
-            gone_mm,
+            covered_mm,
             before_mm,
             after_mm,
         });
@@ -312,7 +313,7 @@ impl Label {
     /// Returns how the next place is reached from this one.
     fn next(&self, [from, to]: [&CornerPlace; 2], here: usize, rates: &Rates) -> Self {
         let took_s = rates.took_s(from, to);
-        let (way, along_mm) = (to.at - from.at, to.gone_mm - from.gone_mm);
+        let (way, along_mm) = (to.at - from.at, to.covered_mm - from.covered_mm);
         let speed = ((to.time_s - from.time_s) / took_s).min(1.0);
         let part = |mm: f64| {
             if mm < along_mm {
