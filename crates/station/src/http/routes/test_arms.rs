@@ -1,7 +1,6 @@
 //! Virtual arms for the tests of other programs.
 
 use axum::Json;
-use axum::extract::Path;
 use axum::http::StatusCode;
 use dobot_api::Role;
 use dobot_api::problem_kinds::{
@@ -10,7 +9,7 @@ use dobot_api::problem_kinds::{
 
 use super::{DELETE, GET, POST};
 use crate::http::exchange::requester::Requester;
-use crate::http::exchange::responses::{Body, RequestFailed};
+use crate::http::exchange::responses::{Body, Number, RequestFailed};
 use crate::http::resources::test_arms::{NewTestArm, TestArm};
 use crate::http::route::Route;
 
@@ -63,7 +62,7 @@ async fn start(
 
 async fn end(
     requester: Requester,
-    Path(arm): Path<u64>,
+    Number(arm): Number,
 ) -> Result<Json<Vec<TestArm>>, RequestFailed> {
     requester.check_role(Role::Control)?;
     requester.app.test_arms.end(arm)?;

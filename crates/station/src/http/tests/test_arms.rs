@@ -81,3 +81,12 @@ async fn an_arm_that_cannot_be_made_is_refused_with_the_reason() {
     }
     assert_eq!(harness.get(ARMS).await.value(), json!([]));
 }
+
+#[tokio::test]
+async fn a_path_without_the_number_of_an_arm_is_reported_as_a_problem() {
+    let harness = Harness::near();
+    for arm in ["x", "-1", "1.5", "%C3%AB"] {
+        let answer = harness.bare("DELETE", &format!("{ARMS}/{arm}")).await;
+        answer.is(400).is_problem("malformed");
+    }
+}
