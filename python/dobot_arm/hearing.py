@@ -12,16 +12,12 @@ from dataclasses import dataclass
 from math import log10
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+from typing import Any, Literal
 
 try:
     import pocketsphinx  # type: ignore[import-untyped]
 except ImportError as _missing:  # pragma: no cover
     raise ImportError("hearing needs pocketsphinx: pip install dobot-arm[voice]") from _missing
-
-if TYPE_CHECKING:
-    # A decoder of an optional package.
-    Decoder: TypeAlias = Any
 
 RATE = 16_000
 """Samples a second; 16 bits, little-endian, one channel."""
@@ -238,7 +234,7 @@ class _Stop:
         self._heard_s = 0.0
 
 
-def _decoder(**options: Any) -> Decoder:
+def _decoder(**options: Any) -> Any:
     model = pocketsphinx.get_model_path
     return pocketsphinx.Decoder(
         pocketsphinx.Config(
