@@ -88,9 +88,13 @@ pub(crate) fn message(state: &Snapshot) -> Utf8Bytes {
     Utf8Bytes::try_from(state.message()).expect("JSON is UTF-8")
 }
 
+/// A period longer than any station runs is that: no clock can add more.
 fn spaced(seconds: f64) -> Rate {
-    Duration::try_from_secs_f64(seconds).map_or(Rate::None, Rate::Spaced)
+    let period = Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX);
+    Rate::Spaced(period.min(LONGEST_PERIOD))
 }
+
+const LONGEST_PERIOD: Duration = Duration::from_secs(100 * 365 * 24 * 3600);
 
 /// Returns the next state, or the one after a gap: a client with a limited rate does not miss any.
 async fn kept(
@@ -150,6 +154,16 @@ mod tests {
         for pair in got.windows(2) {
             assert!(pair[1].0 - pair[0].0 >= 499, "{got:?}");
             assert!(pair[1].1 - pair[0].1 >= 49.0, "{got:?}");
+        }
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn any_rate_above_zero_gives_the_first_state() {
+        for per_s in [f64::MIN_POSITIVE, 9e-20, 1e-10, 1e300] {
+            let (sender, states) = broadcast::channel(16);
+            let mut stream = StateStream::new(states, Some(per_s));
+            sender.send(snapshot(0)).unwrap();
+            assert_eq!(number(&stream.next().await.unwrap()), 0.0, "{per_s}");
         }
     }
 
