@@ -136,8 +136,7 @@ fn build<T>(
     id
 }
 
-/// Orders the items so that those before the middle one lie before it and the others behind it; returns
-/// its index.
+/// Partitions the items at their median along one axis; returns its index.
 fn halve<T>(items: &mut [T], by_y: bool, ends: &impl Fn(&T) -> (Point, Point)) -> usize {
     let middle = items.len() / 2;
     let key = |item: &T| {

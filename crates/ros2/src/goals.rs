@@ -78,7 +78,7 @@ impl<A: Action> Goals<A> {
                     Ok(goal) => {
                         let (goals, busy) = (self.clone(), busy.clone());
                         tokio::spawn(async move {
-                            goals.take(goal).await;
+                            goals.handle_goal(goal).await;
                             drop(busy);
                         });
                     }
@@ -115,7 +115,7 @@ impl<A: Action> Goals<A> {
 
     /// Accepts a goal. An invalid goal is accepted too and aborted immediately, since a rejection
     /// has no text.
-    async fn take(&self, new: NewGoalHandle<A::Goal>) {
+    async fn handle_goal(&self, new: NewGoalHandle<A::Goal>) {
         let Some(goal) = self.server.get_new_goal(new.clone()) else {
             return;
         };

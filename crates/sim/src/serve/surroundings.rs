@@ -24,7 +24,7 @@ impl Server {
         let state = self.arm.world().map(World::state);
         let document = serde_json::to_vec(&state).map_err(io::Error::other)?;
         tokio::spawn(async move {
-            // Whoever does not read it does without.
+            // A client that does not read in time is disconnected.
             let read = async {
                 stream.write_all(&document).await?;
                 stream.shutdown().await

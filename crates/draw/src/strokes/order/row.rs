@@ -165,13 +165,13 @@ impl<'a> Row<'a> {
         self.changed(first.to, rest.from);
     }
 
-    /// Keeps the changes in this order in another one, which was equal before them.
-    pub(super) fn keep(&mut self, in_other: &mut Self) {
-        in_other.copy(self, self.changed.clone());
+    /// Applies the changes of this order to another one, which was equal before them.
+    pub(super) fn commit(&mut self, to_other: &mut Self) {
+        to_other.copy(self, self.changed.clone());
         self.changed = 0..0;
     }
 
-    /// Undoes the changes since the last call of [`keep`](Self::keep) with this other order.
+    /// Undoes the changes since the last call of [`commit`](Self::commit) with this other order.
     pub(super) fn undo(&mut self, to_other: &Self) {
         self.copy(to_other, self.changed.clone());
         self.changed = 0..0;
@@ -473,7 +473,7 @@ mod tests {
             ];
             let reported = row.cost_of(&parts);
             let mut kept = row.clone();
-            row.keep(&mut kept);
+            row.commit(&mut kept);
             row.put(&parts);
             let order: Vec<u32> = (1..count).map(|place| row.node(place)).collect();
             let expected = least_of_all(&nodes, &strokes, &order);

@@ -57,7 +57,7 @@ impl<'a> Turns<'a> {
             self.settle();
             // Only improvements are kept here; accepting losses is left to the exchanges of edges.
             if self.row.cost() < best.cost() - EPSILON {
-                self.row.keep(&mut best);
+                self.row.commit(&mut best);
             } else {
                 self.row.undo(&best);
             }

@@ -76,16 +76,16 @@ impl Talk {
 
     /// Returns what has arrived, or waits for it for a while.
     pub(crate) async fn fetch(&self) -> Vec<TalkPiece> {
-        let fetched = self.take();
+        let fetched = self.drain();
         if !fetched.is_empty() {
             return fetched;
         }
         // Without audio the listener asks again.
         let _ = tokio::time::timeout(FETCH_WITHIN, self.arrived.notified()).await;
-        self.take()
+        self.drain()
     }
 
-    fn take(&self) -> Vec<TalkPiece> {
+    fn drain(&self) -> Vec<TalkPiece> {
         let mut waiting = self.waiting();
         waiting.bytes = 0;
         let piece = |(client, pcm): (ClientId, Bytes)| TalkPiece {
@@ -137,7 +137,7 @@ mod tests {
         let fetched = serde_json::to_value(talk.fetch().await).unwrap();
         let expected = serde_json::json!([{"client": 7, "pcm": "AQI="}, {"client": 7, "pcm": ""}]);
         assert_eq!(fetched, expected);
-        assert!(talk.take().is_empty());
+        assert!(talk.drain().is_empty());
     }
 
     #[test]
@@ -151,7 +151,7 @@ mod tests {
         assert_eq!(large.unwrap_err().name(), INVALID.name);
         let later = add(&talk, START + LISTENS_FOR, 2);
         assert_eq!(later.unwrap_err().name(), NO_LISTENER.name);
-        assert!(talk.take().is_empty());
+        assert!(talk.drain().is_empty());
     }
 
     #[test]
@@ -163,6 +163,6 @@ mod tests {
         }
         let full = add(&talk, START, 2);
         assert_eq!(full.unwrap_err().name(), NO_LISTENER.name);
-        assert!(talk.take().is_empty());
+        assert!(talk.drain().is_empty());
     }
 }

@@ -90,7 +90,7 @@ async fn answer(app: &App, client: &Client, message: Message) -> Option<Outgoing
     )
 }
 
-/// Passes audio on to the listener: whoever speaks wants to move the arm.
+/// Passes audio to the listener. This needs the role `control`, because spoken orders move the arm.
 fn talk(app: &App, client: &Client, pcm: Bytes) -> Result<(), Problem> {
     let (needed, found) = (Role::Control, client.role());
     if found < needed {
