@@ -42,7 +42,9 @@ struct KnownStation {
     alive: Option<Alive>,
     /// The signer of the token; absent with other versions of the messages.
     peer: Option<Arc<Peer>>,
-    /// The sequence number of its last published state.
+    /// The start of its last token.
+    last_run: u64,
+    /// The sequence number of the last state that it published since.
     last_state: u64,
 }
 
@@ -143,9 +145,13 @@ impl Roster {
                 }),
                 alive: None,
                 peer: None,
+                last_run: 0,
                 last_state: 0,
             });
-        seen.last_state = 0;
+        // A link that comes back is the same run: states before the interruption stay replays.
+        if seen.last_run != alive.run {
+            (seen.last_run, seen.last_state) = (alive.run, 0);
+        }
         seen.alive = Some(alive);
         seen.peer.clone_from(&peer);
         Arc::make_mut(&mut seen.member).heard_at_s = at_s;
@@ -591,6 +597,10 @@ mod tests {
         }
         let members = roster.members();
         assert_eq!(members[1].about.as_ref().unwrap().groups, ["new"]);
+        // So it is after an interruption of its link.
+        roster.handle_departure(&alive(member.clone()));
+        roster.handle_arrival(alive(member.clone()), Some(own.own().clone()), 5.0);
+        assert_eq!(refused(&mut roster, &first), "it is a replay");
         // After a restart the sequence begins again; earlier states are no longer valid.
         let again = Alive {
             run: 2,
