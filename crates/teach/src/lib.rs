@@ -65,7 +65,7 @@ mod step_table;
 mod taught_grid;
 pub mod vendor;
 
-pub use asking::{EXAMPLE_PLACE, continued};
+pub use asking::{EXAMPLE_PLACE, continued, first_step_at};
 pub use check::{Problem, Report, check};
 pub use compiled::{Compiled, CompiledStep, barrier_reason};
 pub use decision::{

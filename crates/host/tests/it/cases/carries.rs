@@ -59,7 +59,7 @@ pub(crate) fn shuttle(times: Option<u64>) -> NewJob {
         program: JobProgram {
             steps: vec![0, 1, 3, 5, 7],
             repeat: Some(JobRepeat { from: 1, times }),
-            asking: None,
+            ..JobProgram::default()
         },
         commands,
     }

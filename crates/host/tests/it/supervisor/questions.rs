@@ -6,7 +6,7 @@ use dobot_api::{
     Answer, ClientId, GivenPlace, JobPhase, JobState, PendingQuestion, Question, Request,
 };
 use dobot_controller::Personality;
-use dobot_host::{PlannedFor, VirtualStation, dry_run_program, program_job};
+use dobot_host::{PlannedFor, ProgramStart, VirtualStation, dry_run_program, program_job};
 use dobot_supervisor::Refusal;
 use dobot_teach::{NoFiles, Program};
 use proptest::prelude::*;
@@ -46,7 +46,7 @@ go = { x = 240, y = 0, z = 40 }
 fn submitted_from(station: &mut VirtualStation, text: &str, step: usize) -> u64 {
     let program = Program::from_toml(text).unwrap();
     let arm = PlannedFor::of(station.rules().into(), &station.supervisor().state());
-    let mut job = program_job(&program, None, step, &arm, &mut NoFiles).unwrap();
+    let mut job = program_job(&program, None, ProgramStart::Step(step), &arm, &mut NoFiles).unwrap();
     job.title = "a program".into();
     station.submit(&job).unwrap()
 }
