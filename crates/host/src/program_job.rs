@@ -36,7 +36,9 @@ pub enum ProgramJobError {
         steps: usize,
     },
     /// There is no step on this line or after it.
-    #[error("from_line is {found}; the last step that does something is on line {last}")]
+    #[error(
+        "from_line is {found}; allowed are 1 to {last}, the line of the last step that does something"
+    )]
     NoStepAtLine {
         /// The line, counted from 1.
         found: usize,
@@ -83,11 +85,14 @@ impl ProgramStart {
                 let step = found.checked_sub(1);
                 Ok((0, step.ok_or_else(|| no_step(found, &paths[0]))?))
             }
-            Self::Line(found) => first_step_at(paths, found).ok_or_else(|| {
-                let lines = paths.iter().flat_map(|path| &path.steps);
-                let last = lines.map(|step| step.main_line).max().unwrap_or(0);
-                ProgramJobError::NoStepAtLine { found, last }
-            }),
+            Self::Line(found) => {
+                let start = (found > 0).then(|| first_step_at(paths, found));
+                start.flatten().ok_or_else(|| {
+                    let steps = paths.iter().flat_map(|path| &path.steps);
+                    let last = steps.map(|step| step.main_line).max().unwrap_or(0);
+                    ProgramJobError::NoStepAtLine { found, last }
+                })
+            }
         }
     }
 }

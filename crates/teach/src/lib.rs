@@ -45,6 +45,7 @@ mod axes;
 mod check;
 mod compile;
 mod compiled;
+mod corrections;
 mod decision;
 mod document;
 mod error;

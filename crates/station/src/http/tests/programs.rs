@@ -240,11 +240,13 @@ async fn a_job_starts_at_the_first_step_from_a_line_on_in_calls_and_behind_answe
         assert_eq!((first.x_mm, first.y_mm), (x, y), "line {line}");
         assert_eq!(job.program.lines[0], of, "line {line}");
     }
-    let (_, detail) = ask(&harness, "jobs", job(18)).await.is(422).problem();
-    assert_eq!(
-        detail,
-        "from_line is 18; the last step that does something is on line 16"
-    );
+    for line in [0, 18] {
+        let (_, detail) = ask(&harness, "jobs", job(line)).await.is(422).problem();
+        let expected = format!(
+            "from_line is {line}; allowed are 1 to 16, the line of the last step that does something"
+        );
+        assert_eq!(detail, expected);
+    }
     let both = json!({"program": {"text": CUBE}, "from_line": 1, "from_step": 1});
     ask(&harness, "jobs", both)
         .await
