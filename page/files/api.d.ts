@@ -2580,6 +2580,11 @@ export interface components {
              */
             step: number;
             /**
+             * Format: uint32
+             * @description The line of the current step in the text of the program, counted from 1, if it is known.
+             */
+            line?: number | null;
+            /**
              * Format: uint64
              * @description The number of completed cycles.
              */
@@ -4238,6 +4243,8 @@ export interface components {
         JobProgram: {
             /** @description The index of the first command of each step, in order; if empty, each command is a step. */
             steps?: number[];
+            /** @description The line of each step in the text of the program, counted from 1, 0 if unknown; or empty. */
+            lines?: number[];
             /** @description The repeated commands. */
             repeat?: components["schemas"]["JobRepeat"] | null;
             /** @description The program, if it asks while it runs. */
@@ -5081,10 +5088,17 @@ export interface components {
             program: components["schemas"]["ProgramText"];
             /**
              * Format: uint
-             * @description The first step to execute, counted from 1 in execution order.
-             * @default 1
+             * @description The first step to execute, counted from 1 in execution order; by default 1.
+             * @default null
              */
-            from_step: number;
+            from_step: number | null;
+            /**
+             * Format: uint
+             * @description Instead of `from_step`, a line of the text, counted from 1: it starts at the first step on
+             *     this line or after it, following the answers that lead there.
+             * @default null
+             */
+            from_line: number | null;
             /** @description The number of repetitions; by default that of the program. */
             times?: components["schemas"]["Repeat"] | null;
             /**

@@ -11,7 +11,6 @@ import { draw as drawPanelOf } from "./panels/draw.js";
 import { jobs } from "./panels/jobs.js";
 import { floatingJog } from "./panels/jog.js";
 import { move } from "./panels/move.js";
-import { teach } from "./panels/teach.js";
 import { createFrameBudget } from "./parts/frame_budget.js";
 import { readName } from "./parts/name.js";
 import { keepFocus } from "./parts/keep_focus.js";
@@ -65,7 +64,8 @@ const MOST_LATE = 2;
 const PROGRAM = "dobot.program";
 const KEPT = new Set(["language", "theme", "greeted"]);
 const PANELS = {
-  move, draw: drawPanelOf, teach, jobs,
+  move, draw: drawPanelOf, jobs,
+  teach: later(() => import("./panels/teach.js").then(({ teach }) => teach)),
   look: later(() => import("./panels/look.js").then(({ look }) => look)),
   watch: later(() => import("./panels/watch.js").then(({ watch }) => watch)),
   set_up: later(() => import("./panels/set_up.js").then(({ setUp }) => setUp)),

@@ -87,7 +87,7 @@ export const VIEWS = {
     await page.click("#calibrate-next");
     // Anywhere: what the touches tell is a problem then, which is shown, too.
     for (let touch = 0; touch < 4; touch += 1) await page.click("#calibrate-touch");
-    await page.waitForSelector("#calibrate .status");
+    await page.waitForSelector("#calibrate .status:visible");
   },
   paper: async (page) => {
     await tab("set_up")(page);

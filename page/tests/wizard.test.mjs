@@ -125,6 +125,14 @@ test("a step gets the place of the arm, and runs alone", async () => {
   await page.click("#teach-retake");
   await page.waitForFunction(() => document.querySelector("#step-0 .says").title.includes("y = -35"));
   assert.deepEqual(await run("teach-step"), ["215,-35,25"]);
-  await page.click("#teach-end");
+  // The next step is marked. A changed program runs from its chosen step, not where the last job has stopped.
+  await page.waitForSelector("#step-1.is-running");
+  await goTo({ x_mm: 210, y_mm: -20, z_mm: 30, rotation_deg: 0 });
+  await page.click("#teach-retake");
+  await page.waitForFunction(() => document.querySelector("#step-0 .says").title.includes("y = -20"));
+  assert.deepEqual(await run("teach-step"), ["210,-20,30"]);
+  assert.deepEqual(await run("teach-step"), ["220,0,40"]);
+  await page.click("#step-1");
+  assert.deepEqual(await run("teach-step"), ["220,0,40"]);
   await waitForAnswer(page, "api/v1/state", ({ job }) => !job);
 });

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use dobot_api::problem_kinds::{BAD_PROGRAM, OUT_OF_RANGE};
 use dobot_api::{NewJob, Problem};
 use dobot_draw::ProgramFiles;
-use dobot_host::{PlannedFor, ProgramJobError, Rules, dry_run_program, program_job};
+use dobot_host::{PlannedFor, ProgramJobError, ProgramStart, Rules, dry_run_program, program_job};
 use dobot_safety::Policy;
 use dobot_teach::{
     Action, Files, Program, ProgramError, ProgramForm, RecordedPlace, Steps, Times, ToolState,
@@ -264,7 +264,8 @@ impl Run {
     /// Returns the job for an arm, if the program has no problems.
     pub(crate) fn job(&self, arm: &PlannedFor) -> Result<NewJob, Problem> {
         let (program, mut files) = (self.source.titled(), self.source.files(arm));
-        let job = program_job(&program, self.times, self.from_step, arm, &mut files);
+        let start = ProgramStart::Step(self.from_step);
+        let job = program_job(&program, self.times, start, arm, &mut files);
         job.map_err(|error| match error {
             ProgramJobError::NoStep { .. } => OUT_OF_RANGE.problem(error.to_string()),
             error => BAD_PROGRAM.problem(error.to_string()),

@@ -39,6 +39,10 @@ pub struct JobProgram {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(max = 1_000_000))]
     pub steps: Vec<usize>,
+    /// The line of each step in the text of the program, counted from 1, 0 if unknown; or empty.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(length(max = 1_000_000))]
+    pub lines: Vec<u32>,
     /// The repeated commands.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub repeat: Option<JobRepeat>,
@@ -66,6 +70,12 @@ impl JobProgram {
     ///
     /// What was found and what is allowed, in one line.
     pub fn check(&self, commands: usize) -> Result<(), String> {
+        let (steps, lines) = (self.steps.len(), self.lines.len());
+        if lines != 0 && lines != steps {
+            return Err(format!(
+                "there are {lines} lines for {steps} steps; allowed is one for each step, or none"
+            ));
+        }
         let mut least = 0;
         for &step in &self.steps {
             if !(least..commands).contains(&step) {
@@ -114,13 +124,15 @@ impl JobProgram {
         let (cycles_done, within) = self.at(completed, commands);
         let is_plain = self.steps.is_empty();
         let begun = self.steps.partition_point(|step| *step <= within);
+        let step = match (is_plain, within == commands) {
+            (true, _) => within,
+            (false, true) => self.steps.len(),
+            (false, false) => begun.saturating_sub(1),
+        };
         Some(ProgramView {
             steps: if is_plain { commands } else { self.steps.len() },
-            step: match (is_plain, within == commands) {
-                (true, _) => within,
-                (false, true) => self.steps.len(),
-                (false, false) => begun.saturating_sub(1),
-            },
+            step,
+            line: self.lines.get(step).copied().filter(|line| *line > 0),
             cycles_done,
             cycles: self.repeat.map_or(Some(1), |repeat| repeat.times),
             planned_cycle_s: None,
@@ -259,6 +271,9 @@ pub struct ProgramView {
     pub steps: usize,
     /// The current step, from 0; the number of steps once all are done.
     pub step: usize,
+    /// The line of the current step in the text of the program, counted from 1, if it is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub line: Option<u32>,
     /// The number of completed cycles.
     pub cycles_done: u64,
     /// The total number of cycles; absent if it repeats until it is ended.

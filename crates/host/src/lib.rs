@@ -81,7 +81,7 @@ pub use known_arms::KnownArmsError;
 pub use long_work::{LongWorkError, run_long};
 pub use planned_for::PlannedFor;
 pub use prepared_arm::{ArmSelection, PreparedArm};
-pub use program_job::{ProgramJobError, program_job};
+pub use program_job::{ProgramJobError, ProgramStart, program_job};
 pub use recording::{notice_topic, state_topic, tools_of};
 pub use service_manager::{Notification, ServiceManager};
 pub use target::{PathName, Target, TargetPlace, UnknownPath};

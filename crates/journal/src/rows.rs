@@ -1,5 +1,7 @@
 //! Jobs as table rows, and checks that they can be read back.
 
+use std::iter::repeat;
+
 use dobot_api::{AskingProgram, JobKind, JobPause, JobProgram, JobRepeat, JobState};
 use dobot_arm::Calibration;
 use dobot_wire::{Command, Dialect, Frame, PACKET_LEN, Packet, Status};
@@ -113,11 +115,11 @@ impl JobRow {
         program.total(self.commands).unwrap_or(usize::MAX)
     }
 
-    fn program(&self, steps: Vec<usize>) -> JobProgram {
+    fn program(&self, steps: JobProgram) -> JobProgram {
         JobProgram {
-            steps,
             repeat: self.repeat,
             asking: self.asking.clone(),
+            ..steps
         }
     }
 
@@ -128,7 +130,7 @@ impl JobRow {
         self.asking.clone_from(&longer.program.asking);
     }
 
-    pub(crate) fn job(self, id: JobId, steps: Vec<usize>, window: Window) -> Result<Job, String> {
+    pub(crate) fn job(self, id: JobId, steps: JobProgram, window: Window) -> Result<Job, String> {
         Ok(Job {
             id,
             dialect: self.dialect()?,
@@ -220,20 +222,31 @@ pub(crate) fn commands(bytes: &[u8], row: &JobRow) -> Result<Vec<Command>, Strin
     packets.iter().enumerate().map(command).collect()
 }
 
-/// Encodes the first commands of a job's steps.
+/// Encodes the first command of each step, and its line.
 pub(crate) fn steps_bytes(program: &JobProgram) -> Vec<u8> {
-    let bytes = |step: &usize| (*step as u64).to_le_bytes();
-    program.steps.iter().flat_map(bytes).collect()
+    let lines = program.lines.iter().copied().chain(repeat(0));
+    // A job has at most a million commands.
+    let bytes =
+        |(step, line): (&usize, u32)| ((u64::from(line) << 32) | *step as u64).to_le_bytes();
+    program.steps.iter().zip(lines).flat_map(bytes).collect()
 }
 
-/// Decodes the steps written by [`steps_bytes`].
-pub(crate) fn steps(bytes: &[u8]) -> Result<Vec<usize>, String> {
+/// Decodes the steps and lines written by [`steps_bytes`].
+pub(crate) fn steps(bytes: &[u8]) -> Result<JobProgram, String> {
     let (steps, rest) = bytes.as_chunks();
     if !rest.is_empty() {
         return Err(format!("{} bytes of steps", bytes.len()));
     }
-    let step = |bytes: &[u8; 8]| index(u64::from_le_bytes(*bytes));
-    steps.iter().map(step).collect()
+    let words = steps.iter().map(|bytes| u64::from_le_bytes(*bytes));
+    let steps = words.clone().map(|word| index(word & u64::from(u32::MAX)));
+    let lines: Vec<u32> = words.map(|word| (word >> 32) as u32).collect();
+    // Jobs of earlier versions have none.
+    let has_lines = lines.iter().any(|line| *line > 0);
+    Ok(JobProgram {
+        steps: steps.collect::<Result<_, _>>()?,
+        lines: if has_lines { lines } else { Vec::new() },
+        ..JobProgram::default()
+    })
 }
 
 /// Encodes the start position of a window; empty if there is none.

@@ -354,8 +354,7 @@ fn job(moves: &[FollowMove], status: &Status) -> NewJob {
         pauses: Vec::new(),
         program: JobProgram {
             steps,
-            repeat: None,
-            asking: None,
+            ..JobProgram::default()
         },
     }
 }

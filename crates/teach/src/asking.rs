@@ -9,7 +9,7 @@ use dobot_wire::Command;
 
 use crate::files::{Called, beside, error};
 use crate::program::Drawing;
-use crate::{Action, Compiled, Files, Program, ProgramError, Steps, Times};
+use crate::{Action, Compiled, CompiledStep, Files, Program, ProgramError, Steps, Times};
 
 impl Program {
     /// Compiles the program with another number of cycles, unless it is `None`. Returns the program
@@ -183,6 +183,18 @@ impl Program {
             }
         }
     }
+}
+
+/// Returns the path and its step, both counted from 0, that come first on a line of the program, or
+/// after it: `None` if no path has a step there. A called program is on the line of its call.
+#[must_use]
+pub fn first_step_at(paths: &[Compiled], line: usize) -> Option<(usize, usize)> {
+    let starts = paths.iter().enumerate().filter_map(|(path, compiled)| {
+        let is_here = |step: &CompiledStep| step.main_line >= line;
+        let step = compiled.steps.iter().position(is_here)?;
+        Some((compiled.steps[step].main_line, path, step))
+    });
+    starts.min().map(|(_, path, step)| (path, step))
 }
 
 /// The first answer to a question that was not tried yet, or the first of all.

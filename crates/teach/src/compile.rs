@@ -85,6 +85,7 @@ impl Program {
             program: self,
             path: None,
             file: None,
+            call_line: None,
             cells: BTreeMap::new(),
         };
         compiler.whole(&scope)?;
@@ -110,6 +111,8 @@ struct Scope<'a> {
     program: &'a Program,
     path: Option<&'a str>,
     file: Option<Shared<str>>,
+    /// The line of the main program that calls it.
+    call_line: Option<usize>,
     cells: BTreeMap<&'a str, Spot>,
 }
 
@@ -273,10 +276,12 @@ impl Compiler<'_> {
         self.limit().map_err(|reason| scope.error(step, reason))?;
         // A wait before the first motion belongs to the next step.
         if self.out.commands.len() > first {
+            let line = scope.program.line_of(step);
             self.out.steps.push(CompiledStep {
                 first,
                 file: scope.file.clone(),
-                line: scope.program.line_of(step),
+                line,
+                main_line: scope.call_line.unwrap_or(line),
                 label: label(step.get_ref()).into(),
                 barrier: match step.get_ref() {
                     Action::Barrier(name) => Some(name.as_str().into()),
@@ -337,6 +342,7 @@ impl Compiler<'_> {
             program,
             file: Some(path.as_str().into()),
             path: Some(&path),
+            call_line: scope.call_line.or(Some(scope.program.line_of(step))),
             cells: BTreeMap::new(),
         };
         self.steps(&within, &program.steps.0)

@@ -43,6 +43,8 @@ pub struct CompiledStep {
     pub file: Option<Arc<str>>,
     /// The first line of the step, counted from 1.
     pub line: usize,
+    /// The same in the program itself: of the step, or of the call that leads to it.
+    pub main_line: usize,
     /// A description of the step.
     pub label: Arc<str>,
     /// The barrier at which the arm waits for the other arms before the first command.
@@ -78,6 +80,7 @@ impl Compiled {
         } else {
             0.0
         };
+        let line = |step: &CompiledStep| u32::try_from(step.main_line).unwrap_or(0);
         NewJob {
             title: self.title.clone(),
             kind: JobKind::Program,
@@ -86,6 +89,7 @@ impl Compiled {
             pauses: self.pauses.clone(),
             program: JobProgram {
                 steps: self.steps.iter().map(|step| step.first).collect(),
+                lines: self.steps.iter().map(line).collect(),
                 repeat: self.repeat,
                 asking: None,
             },

@@ -45,6 +45,7 @@ mod axes;
 mod check;
 mod compile;
 mod compiled;
+mod corrections;
 mod decision;
 mod document;
 mod error;
@@ -65,7 +66,7 @@ mod step_table;
 mod taught_grid;
 pub mod vendor;
 
-pub use asking::{EXAMPLE_PLACE, continued};
+pub use asking::{EXAMPLE_PLACE, continued, first_step_at};
 pub use check::{Problem, Report, check};
 pub use compiled::{Compiled, CompiledStep, barrier_reason};
 pub use decision::{

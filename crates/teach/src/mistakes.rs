@@ -8,6 +8,7 @@ use serde::Deserialize;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue, ValueDeserializer};
 
+use crate::corrections::{corrected, switch};
 use crate::lines::Lines;
 use crate::place::Point;
 use crate::plain::plain;
@@ -22,26 +23,32 @@ pub(crate) fn mistakes_of(text: &str, lines: &Lines, first: &toml::de::Error) ->
     if text.len() > MAX_TEXT_BYTES {
         return one(lines, first);
     }
-    let (text, commas) = with_decimal_points(text, lines);
+    let (text, corrections) = corrected(text);
+    let lines = &Lines::of(&text);
     let (document, errors) = DeTable::parse_recoverable(&text);
     let mut reader = Reader {
         lines,
-        mistakes: commas,
+        mistakes: Vec::new(),
         inner: Vec::new(),
         each: Vec::new(),
         has_all_names: true,
+        is_whole: errors.is_empty(),
     };
+    let starts = |error: &toml::de::Error| error.span().map_or(0, |span| span.start);
     if errors.is_empty() {
         reader.document(&text, document.into_inner());
+    } else {
+        let broken = errors.iter().map(|error| lines.at(starts(error))).collect();
+        reader.document_without(&text, &broken);
     }
     let mut known = BTreeSet::new();
     for error in &errors {
-        let start = error.span().map_or(0, |span| span.start);
         // The rest of a line may be wrong only because of its first mistake.
-        if known.insert(lines.at(start)) {
-            reader.report(error, start);
+        if known.insert(lines.at(starts(error))) {
+            reader.report(error, starts(error));
         }
     }
+    reader.mistakes.extend(corrections);
     ProgramError::merge(reader.mistakes).unwrap_or_else(|| one(lines, first))
 }
 
@@ -60,6 +67,8 @@ struct Reader<'a> {
     each: Vec<String>,
     /// Whether all named points, grids, frames, tools and variables are known.
     has_all_names: bool,
+    /// Whether no line was left out.
+    is_whole: bool,
 }
 
 impl Reader<'_> {
@@ -109,6 +118,30 @@ impl Reader<'_> {
         }
     }
 
+    /// Reads a document without the lines that are not TOML, and leaves out the mistakes of the
+    /// tables that contain them. Without a header, the lines below it belong nowhere.
+    fn document_without(&mut self, text: &str, broken: &BTreeSet<usize>) {
+        let is_header = |line: &usize| text[self.lines.range(*line, text)].trim().starts_with('[');
+        if broken.iter().any(is_header) {
+            return;
+        }
+        let headers = broken.iter().map(|line| (1..*line).rev().find(is_header));
+        let headers: BTreeSet<Option<usize>> = headers.collect();
+        let is_step = |line: usize| text[self.lines.range(line, text)].contains("steps");
+        self.has_all_names = headers.iter().all(|line| line.is_some_and(is_step));
+        let mut rest = text.to_owned();
+        for line in broken {
+            let range = self.lines.range(*line, text);
+            let len = text[range.clone()].trim_end().len();
+            rest.replace_range(range.start..range.start + len, &" ".repeat(len));
+        }
+        if let Ok(document) = DeTable::parse(&rest) {
+            self.document(&rest, document.into_inner());
+            self.mistakes
+                .retain(|mistake| !headers.contains(&mistake.line));
+        }
+    }
+
     /// Reads a document part by part, and checks the names in what could be read.
     fn document(&mut self, text: &str, document: DeTable<'_>) {
         let mut program = Program {
@@ -155,7 +188,7 @@ impl Reader<'_> {
         if !self.has_all_names {
             self.mistakes.truncate(found);
         }
-        if !has_steps {
+        if !has_steps && self.is_whole {
             self.report_text(text.len(), NO_STEPS.to_owned());
         }
     }
@@ -199,6 +232,11 @@ impl Reader<'_> {
             DeValue::Array(steps) => {
                 let read = |step| self.step(step).1;
                 Steps(steps.into_iter().filter_map(read).collect())
+            }
+            DeValue::Table(_) => {
+                let reason = "found one table; write each step under [[steps]], with two brackets";
+                self.report_text(span.start, reason.to_owned());
+                Steps::default()
             }
             other => self.value(Spanned::new(span, other)).unwrap_or_default(),
         }
@@ -254,11 +292,8 @@ impl Reader<'_> {
         value: Spanned<DeValue<'de>>,
     ) -> Option<Spanned<DeValue<'de>>> {
         let start = key.span().start;
-        if let Some(written) = table_for(key.get_ref(), value.get_ref()) {
-            self.report_text(
-                start,
-                format!("{} needs a table; write {written}", key.get_ref()),
-            );
+        if let Some(reason) = common_mistake(key.get_ref(), value.get_ref()) {
+            self.report_text(start, reason);
             return None;
         }
         let value = self.with_sound_steps(key.get_ref(), value);
@@ -324,19 +359,42 @@ fn a_step<'de>(span: std::ops::Range<usize>) -> Spanned<DeValue<'de>> {
     at(DeValue::Table(table))
 }
 
-/// The value of a key of a step with the table that it lacks: `speed = 50`.
-fn table_for(key: &str, value: &DeValue<'_>) -> Option<String> {
-    let number = || match value {
-        DeValue::Integer(number) => Some(number.as_str()),
-        DeValue::Float(number) => Some(number.as_str()),
-        _ => None,
-    };
+/// What is wrong with a value that people often give to this key of a step, and what to write.
+fn common_mistake(key: &str, value: &DeValue<'_>) -> Option<String> {
+    let needs_table = |written: String| Some(format!("{key} needs a table; write {written}"));
     match (key, value) {
-        ("speed", _) => Some(format!("speed = {{ percent = {} }}", number()?)),
-        ("offset", _) => Some(format!("offset = {{ z = {} }}", number()?)),
-        ("drawing", DeValue::String(file)) => Some(format!(
+        ("drawing", DeValue::String(file)) => needs_table(format!(
             "drawing = {{ file = {file:?}, pen_down = HEIGHT }}, with the height of the wrist in mm"
         )),
+        ("on_missed", DeValue::String(_) | DeValue::Integer(_) | DeValue::Boolean(_)) => {
+            needs_table("on_missed = { by = \"person\", retries = 2 }".to_owned())
+        }
+        ("suction" | "laser", DeValue::String(word)) => {
+            let is_on = switch(word)?;
+            Some(format!("{key} is true or false; write {key} = {is_on}"))
+        }
+        ("pause" | "gripper" | "settle", DeValue::String(text)) => {
+            let number = text.split_whitespace().next()?.trim_end_matches('s');
+            let number = number.parse::<f64>().ok()?;
+            Some(format!(
+                "found the text {text:?}; write {key} = {number}, a number without quotes"
+            ))
+        }
+        (_, DeValue::Integer(_) | DeValue::Float(_)) => {
+            let number = match value {
+                DeValue::Integer(number) => number.as_str(),
+                DeValue::Float(number) => number.as_str(),
+                _ => return None,
+            };
+            match key {
+                "speed" => needs_table(format!("speed = {{ percent = {number} }}")),
+                "offset" => needs_table(format!("offset = {{ z = {number} }}")),
+                "wait" => Some(format!(
+                    "wait shows a message to a person and needs a text; to wait {number} s, write pause = {number}"
+                )),
+                _ => None,
+            }
+        }
         _ => None,
     }
 }
@@ -346,59 +404,6 @@ fn table_for(key: &str, value: &DeValue<'_>) -> Option<String> {
 fn known<T: Clone>(read: BTreeMap<String, Option<T>>, stand_in: &T) -> BTreeMap<String, T> {
     let known = |(name, value): (_, Option<T>)| (name, value.unwrap_or_else(|| stand_in.clone()));
     read.into_iter().map(known).collect()
-}
-
-/// The text with decimal points in place of the decimal commas that make it invalid, such as
-/// `x = 200,5`, and a mistake for each of them.
-fn with_decimal_points(text: &str, lines: &Lines) -> (String, Vec<ProgramError>) {
-    let mut text = text.to_owned();
-    let mut mistakes = Vec::new();
-    for _ in 0..MAX_CORRECTIONS {
-        let (_, errors) = DeTable::parse_recoverable(&text);
-        let starts = errors.iter().filter_map(|error| Some(error.span()?.start));
-        let numbers: Vec<usize> = starts.map(|start| lines.at(start)).collect();
-        let mut commas = BTreeSet::new();
-        for number in numbers {
-            for (at, found) in decimal_commas(&text, lines.range(number, &text)) {
-                if commas.insert(at) {
-                    mistakes.push(ProgramError::at(number, has_decimal_comma(found)));
-                }
-            }
-        }
-        if commas.is_empty() {
-            break;
-        }
-        for at in commas {
-            text.replace_range(at..=at, ".");
-        }
-    }
-    (text, mistakes)
-}
-
-fn has_decimal_comma(number: &str) -> String {
-    let point = number.replace(',', ".");
-    format!("the number {number} has a decimal comma; write {point}, with a point")
-}
-
-/// The positions of the decimal commas in a part of a text, each with its number.
-fn decimal_commas(text: &str, line: std::ops::Range<usize>) -> Vec<(usize, &str)> {
-    let values = text[line.clone()].match_indices('=').filter_map(|(at, _)| {
-        let value = text[line.start + at + 1..line.end].trim_start();
-        let number = comma_number(value)?;
-        let start = line.end - value.len();
-        Some((start + number.find(',')?, number))
-    });
-    values.collect()
-}
-
-/// The number with a comma at the start of a text: `200,5, y`.
-fn comma_number(text: &str) -> Option<&str> {
-    let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
-    let sign = usize::from(text.starts_with(['-', '+']));
-    let whole = digits(&text[sign..]);
-    let rest = text[sign + whole..].strip_prefix(',')?;
-    let decimals = digits(rest);
-    (whole > 0 && decimals > 0).then(|| &text[..sign + whole + 1 + decimals])
 }
 
 /// The keys of a program.
@@ -414,8 +419,6 @@ const KEYS: [&str; 8] = [
 ];
 /// The largest text whose mistakes are all listed: longer ones are not written by hand.
 const MAX_TEXT_BYTES: usize = 1 << 20;
-/// The number of times that a text is corrected and read again.
-const MAX_CORRECTIONS: usize = 20;
 const A_POINT: Point = Point::xyz(0.0, 0.0, 0.0);
 const A_TOOL: MountedTool = MountedTool {
     kind: Tool::SuctionCup,

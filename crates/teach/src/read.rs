@@ -229,7 +229,11 @@ fn check_name<T>(kind: &str, name: &str, known: &BTreeMap<String, T>) -> Result<
         ""
     };
     Err(if names.is_empty() {
-        format!("there is no {kind} {name:?}; the program has none: add [{kind}s.{name}]")
+        let added = match kind {
+            "variable" => format!("{name} = 0 under [variables]"),
+            _ => format!("[{kind}s.{name}]"),
+        };
+        format!("there is no {kind} {name:?}; the program has none: add {added}")
     } else {
         format!(
             "there is no {kind} {name:?}; there are {}{more}",

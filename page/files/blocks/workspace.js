@@ -61,6 +61,8 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
   let loading = false;
   /** The program that the blocks are, as text. */
   let shown = "";
+  /** The blocks after the last change that was reported or shown. */
+  let known = "";
   /** Marks of the last report, to remove them. @type {string[]} */ let marked = [];
   /** @type {string | null} */ let selectedId = null;
 
@@ -290,6 +292,7 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
     for (const { id, name } of found.twice) /** @type {Block | null} */ (workspace.getBlockById(id ?? ""))?.setWarningText(t("blocks.twice", { name }), "twice");
     for (const block of workspace.getTopBlocks(false)) fade(/** @type {Block} */ (block), block.type !== PROGRAM);
     const now = keyOf(found.program);
+    known = now;
     if (found.twice.length || now === shown) return;
     shown = now;
     changed(found.program);
@@ -348,11 +351,11 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
     /** The program that the blocks are. */
     program: () => read()?.program ?? null,
 
-    /** Shows a program, unless the blocks are it already. Loose blocks stay. @param {Record<string, unknown>} program */
+    /** Shows a program, unless the blocks are it already, or have a change that is not reported yet and comes back with the text. Loose blocks stay. @param {Record<string, unknown>} program */
     show(program) {
       const key = keyOf(program);
       const old = programBlock();
-      if (key === shown && old) return;
+      if (old && (key === shown || keyOf(read()?.program) !== known)) return;
       loading = true;
       Blockly.Events.disable();
       try {
@@ -369,6 +372,7 @@ export function createWorkspace(host, { shapes, language, t, changed, chosen, he
         shown = key;
         if (!old) workspace.scroll(0, 0);
       } finally {
+        known = keyOf(read()?.program);
         Blockly.Events.enable();
         loading = false;
       }

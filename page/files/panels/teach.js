@@ -4,7 +4,7 @@ import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { ref } from "../vendor/lit-html/directives/ref.js";
 import { blockedReason, memoize, rowsIn } from "../state/selectors.js";
-import { rowAt, stepsIn } from "../state/teach.js";
+import { currentLine, rowAt, stepsIn } from "../state/teach.js";
 import { ROW_PX, startRowDrag } from "../input/row_drag.js";
 import { files as storedFiles } from "./files.js";
 import { saveAs } from "../parts/download.js";
@@ -71,8 +71,7 @@ function table({ page, t, act }, rows) {
   const { chosen, first, report, carried } = page.teach;
   if (!rows.length) return html`<p class="drop quiet">${t("teach.empty")}</p>`;
   const steps = timed(rows, report);
-  const job = page.station?.job;
-  const runs = job?.program && job.job === page.teach.job ? rowAt(rows, report?.steps[job.program.step - 1]?.line) : null;
+  const runs = rowAt(rows, currentLine(page.teach, page.station?.job));
   const bad = badIn(rows, report);
   const from = Math.max(0, Math.min(first - 5, rows.length - SEEN));
   const scroll = (/** @type {Event} */ event) => act.send({ type: "teach_scrolled", first: Math.floor(/** @type {Element} */ (event.target).scrollTop / ROW_PX) });
@@ -175,7 +174,7 @@ function problems(context, rows) {
 function runs(context, rows) {
   const { page, t, act } = context;
   const why = blockedReason(page);
-  const own = page.station?.job?.job === page.teach.job;
+  const own = page.teach.ran !== null && page.station?.job?.job === page.teach.ran.job;
   const busy = page.station?.job?.phase === "running";
   const off = !rows.length || (why !== null && !(own && why === "job_runs")) || (page.teach.report?.problems.length ?? 1) > 0;
   return html`
@@ -188,7 +187,7 @@ function runs(context, rows) {
         <button id="teach-from" type="button" class="small" ?disabled=${off || busy || page.teach.chosen === null} @click=${() => act.teach.run(true, null)}>${t("teach.from")}</button>
         ${own && page.station?.job && page.station.job.phase !== "done" ? html`<button id="teach-end" type="button" class="small" @click=${() => act.jobs.end(page.station?.job?.job ?? 0)}>${t("teach.end")}</button>` : nothing}
       </div>
-      ${own && page.station?.job?.program ? html`<p class="quiet" id="teach-cycle">${t("teach.cycles", { cycles: page.station.job.program.cycles_done, step: page.station.job.program.step, steps: page.station.job.program.steps })}</p>` : nothing}
+      ${own && page.station?.job?.program ? html`<p class="quiet" id="teach-cycle">${t("teach.cycles", { cycles: page.station.job.program.cycles_done, step: Math.min(page.station.job.program.step + 1, page.station.job.program.steps), steps: page.station.job.program.steps })}</p>` : nothing}
       ${why && !(own && why === "job_runs") ? html`<p class="quiet">${blockedLine(context)}</p>` : nothing}
     </section>`;
 }

@@ -34,7 +34,7 @@ import { parse } from "../vendor/smol-toml/index.js";
  * @property {Mode} mode
  * @property {Schemas["MovingMode"]} path Path type of captured points.
  * @property {number | null} recorded How many places of a jogged path are recorded; null if none is being recorded.
- * @property {number | null} job The job that was made of it last.
+ * @property {{ job: number, text: string, chosen: number | null } | null} ran The job that was made of it last, from which text, and the row that was chosen then.
  * @property {Wizard} wizard
  */
 
@@ -42,7 +42,7 @@ import { parse } from "../vendor/smol-toml/index.js";
 const NO_WIZARD = { kind: "tray", name: "tray", places: [], columns: 3, rows: 4, layers: 1, layer_mm: 20 };
 
 /** @type {Teach} */
-export const NO_TEACH = { text: "", name: "program.toml", past: [], future: [], revision: 0, report: null, refused: null, chosen: null, first: 0, dragged: null, carried: null, moved: null, mode: "table", path: "movj", recorded: null, job: null, wizard: NO_WIZARD };
+export const NO_TEACH = { text: "", name: "program.toml", past: [], future: [], revision: 0, report: null, refused: null, chosen: null, first: 0, dragged: null, carried: null, moved: null, mode: "table", path: "movj", recorded: null, ran: null, wizard: NO_WIZARD };
 
 /** @typedef {{ type: "teach_text", text: string, chosen?: number | null, name?: string }
  * | { type: "teach_undo" }
@@ -58,7 +58,7 @@ export const NO_TEACH = { text: "", name: "program.toml", past: [], future: [], 
  * | { type: "teach_path", path: Schemas["MovingMode"] }
  * | { type: "teach_recorded", places: number | null }
  * | { type: "teach_wizard", set: Partial<Wizard> }
- * | { type: "teach_job", job: number }} TeachMessage */
+ * | { type: "teach_job", ran: NonNullable<Teach["ran"]> }} TeachMessage */
 
 /** The most undo steps. */
 const MOST_PAST = 1000;
@@ -68,6 +68,9 @@ const OF_STEP = /^\s*\[\[?steps\./;
 const GO = /^\s*go\s*=\s*(?:\{([^}]*)\}|"([^"]*)")/;
 /** Places in a frame of their own, and angles, are not places of the stage. */
 const ELSEWHERE = /\b(frame|base|rear|fore|servo)\s*=/;
+
+/** The lines of a title that the text does not have. */
+const TITLE_LINES = 2;
 
 /** The text with a title, which a job has to have: the name of its file where it says none. @param {string} text @param {string} name */
 export const titled = (text, name) => (/^\s*title\s*=/m.test(text) ? text : `title = ${JSON.stringify(name.replace(/\.toml$/, ""))}\n\n${text}`);
@@ -202,10 +205,11 @@ export function stepsIn(rows, report) {
   return steps;
 }
 
-/** The number of the first step of a row, as jobs count them, or nothing. @param {Row | undefined} row @param {Report | null} report */
-export function stepOf(row, report) {
-  const at = report?.steps.findIndex(({ file, line }) => row && file == null && row.line <= line && line <= row.last) ?? -1;
-  return at < 0 ? null : at + 1;
+/** The line of the step that the job of the program is at, while the text is that of the job. @param {Teach} teach @param {Schemas["JobView"] | null | undefined} job */
+export function currentLine({ text, name, ran }, job) {
+  const line = job?.program?.line;
+  if (!line || !ran || ran.job !== job.job || ran.text !== text) return null;
+  return titled(text, name) === text ? line : line - TITLE_LINES;
 }
 
 /** @param {Teach} teach @param {string} text @param {Partial<Teach>} more @returns {Teach} */
@@ -273,7 +277,7 @@ export function reduceTeach(teach, message) {
     case "teach_wizard":
       return { ...teach, wizard: { ...teach.wizard, ...message.set } };
     case "teach_job":
-      return { ...teach, job: message.job, refused: null };
+      return { ...teach, ran: message.ran, refused: null };
     default:
       return teach;
   }

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { NO_TEACH, changeOf, placeOfStep, reduceTeach, rowAt, rowsOf, stepOf, stepsIn, titled, withPlace } from "./teach.js";
+import { NO_TEACH, changeOf, currentLine, placeOfStep, reduceTeach, rowAt, rowsOf, stepsIn, titled, withPlace } from "./teach.js";
 
 const TEXT = 'title = "two"\n\n[[steps]]\n# above\ngo = { x = 1 } # there\npath = "movl"\n\n[[steps]]\nrepeat = 2\n[[steps.steps]]\npause = 1\n\n[points]\na = { x = 2 }\n';
 const REPORT = { title: "", problems: [], once_s: 3, steps: [{ label: "go", file: null, line: 3, first: 0, takes_s: 1 }, { label: "pause", file: null, line: 10, first: 1, takes_s: 1 }, { label: "pause", file: null, line: 10, first: 1, takes_s: 1 }] };
@@ -27,7 +27,17 @@ test("lines, times and numbers of steps belong to their rows", () => {
   assert.deepEqual([rowAt(rows, 5), rowAt(rows, 11), rowAt(rows, 14), rowAt(rows, null)], [0, 1, null, null]);
   assert.deepEqual(stepsIn(rows, REPORT).map(({ takes_s, label }) => [takes_s, label]), [[1, "go"], [2, "repeat = 2, [[steps.steps]], pause = 1"]]);
   assert.equal(stepsIn(rows, null)[0].label, 'go = { x = 1 }, path = "movl"');
-  assert.deepEqual([stepOf(rows[0], REPORT), stepOf(rows[1], REPORT), stepOf(undefined, REPORT)], [1, 2, null]);
+});
+
+test("the current step is on its line only while the text is that of the job", () => {
+  const job = { job: 7, program: { line: 5 } };
+  const of = (text) => reduceTeach({ ...NO_TEACH, text }, { type: "teach_job", ran: { job: 7, text, chosen: null } });
+  assert.equal(currentLine(of(TEXT), job), 5);
+  // The job has a title of two lines.
+  assert.equal(currentLine(of("[[steps]]\npause = 1\n[[steps]]\n"), job), 3);
+  assert.equal(currentLine(reduceTeach(of(TEXT), typed(`${TEXT} `)), job), null);
+  assert.equal(currentLine(of(TEXT), { ...job, job: 8 }), null);
+  assert.equal(currentLine(of(TEXT), null), null);
 });
 
 test("a thousand changes can be undone and redone", () => {

@@ -79,7 +79,7 @@ export function createJobs(store, http, socket) {
     /** @param {number} job */
     pause: (job) => void ask(job, { type: "pause_job" }),
     /** @param {number} job */
-    end: (job) => void ask(job, { type: "cancel_job", job }),
+    end: (job) => ask(job, { type: "cancel_job", job }),
     /** @param {number} job */
     forget: (job) => void ask(job, { type: "forget_job", job }),
     /** @param {number} job @param {number | null} before */

@@ -3,7 +3,7 @@
 import { base64 } from "../parts/base64.js";
 import { parse, stringify } from "../vendor/smol-toml/index.js";
 import { rowsIn } from "../state/selectors.js";
-import { retaught, stepOf, titled } from "../state/teach.js";
+import { retaught, rowsOf, titled } from "../state/teach.js";
 import { createRecorder } from "./record.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
@@ -110,18 +110,21 @@ export function createTeach(store, http, jobs) {
   /** Removes the touched places once they are used. @param {boolean} isDone */
   const done = (isDone) => void (isDone && send({ type: "teach_wizard", set: { places: [] } }));
 
-  /** Runs the program as a job. @param {number} from_step @param {Schemas["Repeat"] | null} times @param {"start_job" | "step_job"} [type] */
-  async function run(from_step, times, type) {
-    const { text, name } = store.page.teach;
-    const { job, problem } = await jobs.run("api/v1/programs/jobs", { program: { text: titled(text, name), files: {} }, from_step, times }, type);
-    if (job !== undefined) send({ type: "teach_job", job });
-    send({ type: "teach_refused", problem: problem ?? null });
+  /** The job of the program that is running or paused. */
+  function ownJob() {
+    const { teach: { ran }, station } = store.page;
+    return ran && station?.job?.job === ran.job ? ran : null;
   }
 
-  /** The step from which the program runs: that of the chosen row, or the first. */
-  function chosenStep() {
-    const { teach } = store.page;
-    return (teach.chosen === null ? null : stepOf(rowsIn(teach.text)[teach.chosen], teach.report)) ?? 1;
+  /** Runs the program as a job, from a row on or from the first; its paused job ends. @param {number | null} row @param {Schemas["Repeat"] | null} times @param {"start_job" | "step_job"} [type] */
+  async function run(row, times, type) {
+    const { text, name, chosen } = store.page.teach;
+    const whole = titled(text, name), before = ownJob();
+    const from_line = row === null ? null : rowsOf(whole)[row]?.line ?? null;
+    if (before) await jobs.end(before.job);
+    const { job, problem } = await jobs.run("api/v1/programs/jobs", { program: { text: whole, files: {} }, from_line, times }, type);
+    if (job !== undefined) send({ type: "teach_job", ran: { job, text, chosen } });
+    send({ type: "teach_refused", problem: problem ?? null });
   }
 
   /** Adds a jogged path, and selects its last step. @param {{ places: Schemas["RecordedPlace"][], tolerance_mm: number }} path */
@@ -184,12 +187,12 @@ export function createTeach(store, http, jobs) {
       if (await edit([{ type: "move", from, to }], to)) send({ type: "teach_moved", to, of });
     },
     /** Runs it, from the chosen step on or from the first. @param {boolean} fromChosen @param {Schemas["Repeat"] | null} times */
-    run: (fromChosen, times) => run(fromChosen ? chosenStep() : 1, times),
-    /** The next step alone: of the job that waits, or of a new one. */
+    run: (fromChosen, times) => run(fromChosen ? store.page.teach.chosen : null, times),
+    /** The next step alone: of the paused job, or of a new one if the text or the chosen row is another. */
     async step() {
-      const { teach: { job }, station } = store.page;
-      if (job === null || station?.job?.job !== job) return run(chosenStep(), null, "step_job");
-      send({ type: "teach_refused", problem: await jobs.step(job) ?? null });
+      const { text, chosen } = store.page.teach, own = ownJob();
+      if (own?.text !== text || own.chosen !== chosen) return run(chosen, null, "step_job");
+      send({ type: "teach_refused", problem: await jobs.step(own.job) ?? null });
     },
     /** A program, or a file of the vendor's programs. @param {File} file */
     async open(file) {

@@ -5,6 +5,7 @@ import { ref } from "../vendor/lit-html/directives/ref.js";
 import { parse } from "../vendor/smol-toml/index.js";
 import { placesOf } from "../blocks/lines.js";
 import { memoize } from "../state/selectors.js";
+import { currentLine } from "../state/teach.js";
 import { sentence } from "../i18n/problem_text.js";
 
 /** @typedef {import("./context.js").Context} Context */
@@ -125,8 +126,7 @@ let last = null;
 function show({ workspace, context }) {
   if (!workspace) return;
   const { teach, station } = context.page;
-  const step = station?.job?.job === teach.job ? station?.job?.program?.step : undefined;
-  const line = (step && teach.report?.steps[step - 1]?.line) || null;
+  const line = currentLine(teach, station?.job);
   // Edits that are on their way to the text come back with it.
   const isLate = context.act.teach.isMerging();
   if (last?.workspace === workspace && last.text === teach.text && last.report === teach.report && last.line === line && !isLate) return;

@@ -100,6 +100,7 @@ fn asking(answers: &[&str]) -> JobProgram {
         .map(|answer| Answer::Choice((*answer).to_owned()));
     JobProgram {
         steps: vec![0, 2],
+        lines: vec![1, 4],
         asking: Some(Box::new(AskingProgram {
             text: "[[steps]]".into(),
             answers: answers.collect(),

@@ -83,6 +83,7 @@ impl Program {
             program: self,
             path: None,
             file: None,
+            call_line: None,
             cells: BTreeMap::new(),
         };
         let axes = scope.axes(frame, &state).map_err(ProgramError::new)?;

@@ -367,6 +367,14 @@ fn common_mistakes_are_shown_with_the_correct_line() {
             "[points]\nhome = { x = 200, y = 0, z = 30 }\n[[steps]]\ngo = \"hoem\"\n[[steps]]\ngo = \"home\"\n",
             "line 3: there is no point \"hoem\"; did you mean \"home\"?",
         ),
+        (
+            "[[steps]]\ngo = { X = 200, y = 0, z = 30 }\n",
+            "line 2: the key `X` is unknown; did you mean `x`?",
+        ),
+        (
+            "[[steps]]\npick = { x = 200, y = 0, z = 30 }\non_missed = \"again\"\n[[steps]]\nadd = { n = 1 }\n",
+            "line 3: on_missed needs a table; write on_missed = { by = \"person\", retries = 2 } | line 4: there is no variable \"n\"; the program has none: add n = 0 under [variables]",
+        ),
     ] {
         let found = error(text);
         assert!(found.starts_with(expected), "{found}");

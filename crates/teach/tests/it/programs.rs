@@ -276,9 +276,35 @@ fn wrong_types_wrong_names_and_wrong_values_are_reported_together() {
         (
             "[[steps]]\ngo = home\n[[steps]]\nsuction = on\n",
             &[
-                "line 2: a text must be in quotes",
-                "line 4: a text must be in quotes",
+                "line 1: there is no point \"home\"",
+                "line 2: a text must be in quotes; write go = \"home\"",
+                "line 4: suction is true or false; write suction = true",
             ],
+        ),
+        (
+            "[points]\nhome = { x = 200, y = 0, z = 50\n\n[[steps]]\nspeed = 50\n[[steps]]\ngo = \"home\npth = \"movl\"\n[[steps]]\ngo = { from = \"cam, timeout = \"5\" }\n[[steps]]\nspeeds = { percent = 50 }\n",
+            &[
+                "line 2: the table is not closed; write } at its end",
+                "line 5: speed needs a table",
+                "line 7: the text is not closed; write \" at its end",
+                "line 8: the key `pth` is unknown; did you mean `path`?",
+                "line 10: ",
+                "line 12: the key `speeds` is unknown; did you mean `speed`?",
+            ],
+        ),
+        (
+            "[points]\na = { x = 200 y = 0, z = 50 }\n[[steps]]\ngo = \"b\"\npause = \"0.5 s\"\n[[steps]]\nrepeat = 2 3\n[[steps.steps]]\nwait = 5\n[[steps]]\nsuction = \"on\"\n",
+            &[
+                "line 2: ",
+                "line 5: found the text \"0.5 s\"; write pause = 0.5, a number without quotes",
+                "line 7: ",
+                "line 9: wait shows a message to a person and needs a text; to wait 5 s, write pause = 5",
+                "line 11: suction is true or false; write suction = true",
+            ],
+        ),
+        (
+            "[steps]\ngo = { x = 200, y = 0, z = 50 }\n",
+            &["line 1: found one table; write each step under [[steps]], with two brackets"],
         ),
     ] {
         let error = Program::from_toml(text).unwrap_err();

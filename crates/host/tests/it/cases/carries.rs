@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{ClientId, JobKind, JobProgram, JobRepeat, NewJob, Request};
+use dobot_api::{ClientId, JobKind, JobPhase, JobProgram, JobRepeat, NewJob, Request};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_host::VirtualStation;
 use dobot_safety::Policy;
@@ -59,7 +59,7 @@ pub(crate) fn shuttle(times: Option<u64>) -> NewJob {
         program: JobProgram {
             steps: vec![0, 1, 3, 5, 7],
             repeat: Some(JobRepeat { from: 1, times }),
-            asking: None,
+            ..JobProgram::default()
         },
         commands,
     }
@@ -196,3 +196,19 @@ pub(crate) fn run(cycles: u64) -> Carries {
 /// By bytes.
 const ONE_PACKET_OF_A_THOUSAND: &str = "flip=0.0024%";
 const KILLED_EVERY: u64 = 50;
+
+/// Neither the supervisor nor the journal has it at work: the arm rests.
+fn rests(station: &VirtualStation, job: u64) -> bool {
+    let works = |phase| matches!(phase, JobPhase::Queued | JobPhase::Running);
+    let current = station.supervisor().job().filter(|view| view.job == job);
+    !works(station.job(job).unwrap().state.phase())
+        && !current.is_some_and(|current| works(current.phase))
+}
+
+/// Runs until the job rests, for ten hours at most.
+#[track_caller]
+pub(crate) fn run_until_rest(station: &mut VirtualStation, job: u64) {
+    let latest = station.now() + Duration::from_secs(36_000);
+    let rested = station.run_until(latest, |station| rests(station, job));
+    assert!(rested, "{:?}", station.supervisor().job());
+}

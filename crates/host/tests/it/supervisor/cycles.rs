@@ -6,26 +6,9 @@ use dobot_api::{JobPause, JobPhase, NewJob, Request};
 use dobot_controller::Personality;
 use dobot_host::VirtualStation;
 
-use crate::cases::carries::{HERE, THERE, attend, cube_is_at, shuttle, station};
+use crate::cases::carries::{HERE, THERE, attend, cube_is_at, run_until_rest, shuttle, station};
 
 const BOTH: [Personality; 2] = [Personality::Specification, Personality::Firmware11];
-
-/// Neither the supervisor nor the journal has it at work: the arm rests.
-fn rests(station: &VirtualStation, job: u64) -> bool {
-    let works = |phase| matches!(phase, JobPhase::Queued | JobPhase::Running);
-    let current = station.supervisor().job().filter(|view| view.job == job);
-    !works(station.job(job).unwrap().state.phase())
-        && !current.is_some_and(|current| works(current.phase))
-}
-
-fn run_until_rest(station: &mut VirtualStation, job: u64, hours: u64) {
-    let latest = station.now() + Duration::from_secs(hours * 3600);
-    assert!(
-        station.run_until(latest, |station| rests(station, job)),
-        "{:?}",
-        station.supervisor().job()
-    );
-}
 
 #[test]
 fn a_cycle_is_repeated_as_often_as_requested() {
@@ -33,7 +16,7 @@ fn a_cycle_is_repeated_as_often_as_requested() {
         let (mut station, anna) = station(personality, &[], 0);
         let job = station.submit(&shuttle(Some(7))).unwrap();
         station.start(anna, job).unwrap();
-        run_until_rest(&mut station, job, 1);
+        run_until_rest(&mut station, job);
         let job = station.job(job).unwrap();
         assert_eq!(job.state.to_string(), "done");
         assert_eq!(job.window.completed, 1 + 7 * 8);
@@ -79,7 +62,7 @@ fn cycles_are_counted_and_timed_while_they_run() {
         let running = station.supervisor().job().unwrap().program.unwrap();
         assert!(running.cycles_done > done + 3, "{running:?}");
         station.ask(anna, Request::CancelJob { job }).unwrap();
-        run_until_rest(&mut station, job, 1);
+        run_until_rest(&mut station, job);
         assert_eq!(station.job(job).unwrap().state.phase(), JobPhase::Stopped);
     }
 }
@@ -93,7 +76,7 @@ fn a_program_advances_step_by_step_on_request() {
         if station.ask(anna, Request::StepJob { job }).is_err() {
             break;
         }
-        run_until_rest(&mut station, job, 1);
+        run_until_rest(&mut station, job);
         seen.push(station.job(job).unwrap().window.completed);
     }
     assert_eq!(seen, [1, 3, 5, 7, 9, 11, 13, 15, 17]);
@@ -115,14 +98,14 @@ fn a_program_waits_for_the_person_in_every_cycle() {
     let job = station.submit(&job).unwrap();
     for cycle in 0..5 {
         station.start(anna, job).unwrap();
-        run_until_rest(&mut station, job, 1);
+        run_until_rest(&mut station, job);
         let kept = station.job(job).unwrap();
         assert_eq!(kept.state.to_string(), "paused (turn the cube)");
         assert_eq!(kept.window.completed, 5 + cycle * 8);
         assert!(cube_is_at(&station, THERE));
     }
     station.start(anna, job).unwrap();
-    run_until_rest(&mut station, job, 1);
+    run_until_rest(&mut station, job);
     assert_eq!(station.job(job).unwrap().state.to_string(), "done");
 }
 
@@ -133,7 +116,7 @@ fn no_object_is_lost_or_misplaced_by_damaged_packets() {
         let (mut station, anna) = station(personality, &faults, 7);
         let job = station.submit(&shuttle(Some(60))).unwrap();
         station.start(anna, job).unwrap();
-        run_until_rest(&mut station, job, 10);
+        run_until_rest(&mut station, job);
         let state = station.job(job).unwrap().state;
         assert_eq!(state.to_string(), "done");
         let again = station
@@ -161,7 +144,7 @@ fn no_carry_is_lost_or_done_twice_whenever_the_station_is_killed() {
                 station.crash(Duration::from_millis(300 * kill)).unwrap();
                 attend(&mut station, job);
             }
-            run_until_rest(&mut station, job, 10);
+            run_until_rest(&mut station, job);
             let kept = station.job(job).unwrap();
             assert_eq!(
                 kept.state.to_string(),

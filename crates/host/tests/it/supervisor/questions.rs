@@ -6,12 +6,12 @@ use dobot_api::{
     Answer, ClientId, GivenPlace, JobPhase, JobState, PendingQuestion, Question, Request,
 };
 use dobot_controller::Personality;
-use dobot_host::{PlannedFor, VirtualStation, dry_run_program, program_job};
+use dobot_host::{PlannedFor, ProgramStart, VirtualStation, dry_run_program, program_job};
 use dobot_supervisor::Refusal;
 use dobot_teach::{NoFiles, Program};
 use proptest::prelude::*;
 
-use crate::cases::carries::{HERE, THERE, attend, cube_is_at, station};
+use crate::cases::carries::{HERE, THERE, attend, cube_is_at, run_until_rest, station};
 
 const BOTH: [Personality; 2] = [Personality::Specification, Personality::Firmware11];
 
@@ -46,7 +46,8 @@ go = { x = 240, y = 0, z = 40 }
 fn submitted_from(station: &mut VirtualStation, text: &str, step: usize) -> u64 {
     let program = Program::from_toml(text).unwrap();
     let arm = PlannedFor::of(station.rules().into(), &station.supervisor().state());
-    let mut job = program_job(&program, None, step, &arm, &mut NoFiles).unwrap();
+    let start = ProgramStart::Step(step);
+    let mut job = program_job(&program, None, start, &arm, &mut NoFiles).unwrap();
     job.title = "a program".into();
     station.submit(&job).unwrap()
 }
@@ -327,17 +328,87 @@ fn a_stop_during_a_question_holds_until_a_person_clears_it() {
     assert_xy(&station, [200.0, 80.0]);
 }
 
+/// Runs the next step; returns the place of the arm after it.
+#[track_caller]
+fn step(station: &mut VirtualStation, anna: ClientId, job: u64) -> [f64; 2] {
+    station.ask(anna, Request::StepJob { job }).unwrap();
+    run_until_step_is_done(station, job);
+    xy(station).map(f64::round)
+}
+
+#[track_caller]
+fn run_until_step_is_done(station: &mut VirtualStation, job: u64) {
+    run_until_rest(station, job);
+    let state = station.job(job).unwrap().state;
+    assert!(["paused (the step is done)", "done"].contains(&&*state.to_string()));
+}
+
 #[test]
-fn a_program_that_asks_advances_step_by_step() {
+fn an_answer_moves_nothing_in_a_program_that_runs_step_by_step() {
     let (mut station, anna) = station(Personality::Specification, &[], 0);
     let job = submitted(&mut station, SIDES);
     station.ask(anna, Request::StepJob { job }).unwrap();
     run_until_asked(&mut station);
+    let before = xy(&station);
     answer(&mut station, job, choice("left")).unwrap();
+    run_until_step_is_done(&mut station, job);
+    assert_eq!(xy(&station), before);
+    station.ask(anna, Request::StepJob { job }).unwrap();
     run_until_asked(&mut station);
+    assert_xy(&station, [200.0, 80.0]);
     answer(&mut station, job, choice("yes")).unwrap();
-    assert_eq!(run_until_over(&mut station, job), JobState::Done);
-    assert_xy(&station, [240.0, 0.0]);
+    run_until_step_is_done(&mut station, job);
+    assert_xy(&station, [200.0, 80.0]);
+    assert_eq!(step(&mut station, anna, job), [240.0, 0.0]);
+    assert_eq!(station.job(job).unwrap().state, JobState::Done);
+}
+
+/// A step that moves nothing, settings before a step, and a loop.
+const STEPS: &str = r#"
+[[steps]]
+go = { x = 215, y = -35, z = 25 }
+[[steps]]
+speed = { percent = 30 }
+[[steps]]
+go = { x = 220, y = 0, z = 40 }
+[[steps]]
+pause = 0.5
+[[steps]]
+repeat = 2
+[[steps.steps]]
+go = { x = 230, y = 10, z = 40 }
+[[steps.steps]]
+go = { x = 240, y = 20, z = 40 }
+"#;
+
+#[test]
+fn each_request_runs_one_step_whichever_step_is_the_first() {
+    // The place after each step.
+    let after = [
+        [215.0, -35.0],
+        [215.0, -35.0],
+        [220.0, 0.0],
+        [220.0, 0.0],
+        [230.0, 10.0],
+        [240.0, 20.0],
+        [230.0, 10.0],
+        [240.0, 20.0],
+    ];
+    for personality in BOTH {
+        for first in 1..=6 {
+            let (mut station, anna) = station(personality, &[], 0);
+            // The arm is at the place of the first step already.
+            let beside = submitted(&mut station, "[[steps]]\ngo = { x = 215, y = -35, z = 25 }");
+            station.start(anna, beside).unwrap();
+            run_until_rest(&mut station, beside);
+            let job = submitted_from(&mut station, STEPS, first);
+            for expected in &after[first - 1..] {
+                let found = step(&mut station, anna, job);
+                assert_eq!(found, *expected, "{personality:?}, from step {first}");
+            }
+            assert_eq!(station.job(job).unwrap().state, JobState::Done);
+        }
+    }
 }
 
 /// Every third cycle goes to the right.

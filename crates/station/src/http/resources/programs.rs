@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 use dobot_api::problem_kinds::{BAD_PROGRAM, OUT_OF_RANGE};
 use dobot_api::{NewJob, Problem};
 use dobot_draw::ProgramFiles;
-use dobot_host::{PlannedFor, ProgramJobError, dry_run_program, program_job};
+use dobot_host::{PlannedFor, ProgramJobError, ProgramStart, dry_run_program, program_job};
 use dobot_teach::{
     Action, CompiledStep, Files, Frame, Go, GridSize, Point, Program, ProgramDocument,
     ProgramError, ProgramForm, RecordedPlace, Steps, TaughtGrid, Times, ToolState, path_steps,
@@ -85,20 +85,21 @@ struct ProgramProblem {
 pub(crate) struct NewProgram {
     /// The program.
     program: ProgramText,
-    /// The first step to execute, counted from 1 in execution order.
-    #[serde(default = "first")]
+    /// The first step to execute, counted from 1 in execution order; by default 1.
+    #[serde(default)]
     #[schemars(range(min = 1))]
-    from_step: usize,
+    from_step: Option<usize>,
+    /// Instead of `from_step`, a line of the text, counted from 1: it starts at the first step on
+    /// this line or after it, following the answers that lead there.
+    #[serde(default)]
+    #[schemars(range(min = 1))]
+    from_line: Option<usize>,
     /// The number of repetitions; by default that of the program.
     #[serde(default)]
     times: Option<Repeat>,
     /// The number of the stored file that contains the program, for which the job is noted.
     #[serde(default)]
     pub(crate) stored: Option<u64>,
-}
-
-const fn first() -> usize {
-    1
 }
 
 /// The number of repetitions of a program.
@@ -358,9 +359,16 @@ pub(crate) fn job(new: &NewProgram, arm: &PlannedFor) -> Result<NewJob, Problem>
         Some(Repeat::Forever) => Some(Times::Forever),
         None => None,
     };
+    let start = match (new.from_step, new.from_line) {
+        (Some(_), Some(_)) => {
+            return Err(OUT_OF_RANGE.problem("both from_step and from_line are given; give one"));
+        }
+        (None, Some(line)) => ProgramStart::Line(line),
+        (step, None) => ProgramStart::Step(step.unwrap_or(1)),
+    };
     let program = Program::from_toml(&new.program.text).map_err(bad)?;
     let mut files = program_files(&new.program.files, arm);
-    let job = program_job(&program, times, new.from_step, arm, &mut files);
+    let job = program_job(&program, times, start, arm, &mut files);
     job.map_err(|error| match error {
         ProgramJobError::Problems(problems) => {
             let first = problems.into_iter().next().map(|first| {
@@ -369,7 +377,9 @@ pub(crate) fn job(new: &NewProgram, arm: &PlannedFor) -> Result<NewJob, Problem>
             });
             first.unwrap_or_else(|| BAD_PROGRAM.problem("the program has problems"))
         }
-        error @ ProgramJobError::NoStep { .. } => OUT_OF_RANGE.problem(error.to_string()),
+        error @ (ProgramJobError::NoStep { .. } | ProgramJobError::NoStepAtLine { .. }) => {
+            OUT_OF_RANGE.problem(error.to_string())
+        }
         error => BAD_PROGRAM.problem(error.to_string()),
     })
 }

@@ -1,6 +1,7 @@
 //! Programs over HTTP, as taught on the page.
 
 use dobot_api::{JobKind, Request};
+use dobot_wire::Command;
 use serde_json::{Value, json};
 
 use super::{Answer, Harness};
@@ -191,6 +192,66 @@ async fn a_program_becomes_a_job_with_the_requested_repetitions_and_first_step()
         ask(&harness, "jobs", new).await.is(422).is_problem(kind);
     }
     assert_eq!(harness.asked().len(), 1);
+}
+
+/// Lines: 1 the first step, 3 a call, 5 the question, 10 and 15 the steps of its answers.
+const LINES: &str = r#"[[steps]]
+go = { x = 200, y = 0, z = 50 }
+[[steps]]
+call = "aside.toml"
+[[steps]]
+choose = "Where to?"
+[[steps.when]]
+answer = "left"
+
+[[steps.when.steps]]
+go = { x = 210, y = 50, z = 50 }
+[[steps.when]]
+answer = "right"
+
+[[steps.when.steps]]
+go = { x = 210, y = -50, z = 50 }
+"#;
+
+#[tokio::test]
+async fn a_job_starts_at_the_first_step_from_a_line_on_in_calls_and_behind_answers() {
+    let harness = Harness::near();
+    let files = json!({"aside.toml": "title = \"aside\"\n\n\n\n\n\n\n\n[[steps]]\ngo = { x = 220, y = 0, z = 50 }"});
+    let text = format!("title = \"t\"\n{LINES}");
+    let job = |line: usize| json!({"program": {"text": text, "files": files}, "from_line": line});
+    // The first target, and the line of its step. The title is a line, too.
+    for (line, x, y, of) in [
+        (1, 200.0, 0.0, 2),
+        (3, 220.0, 0.0, 4),
+        (4, 220.0, 0.0, 4),
+        (6, 210.0, 50.0, 11),
+        (11, 210.0, 50.0, 11),
+        (13, 210.0, -50.0, 16),
+        (16, 210.0, -50.0, 16),
+    ] {
+        ask(&harness, "jobs", job(line)).await.is(201);
+        let asked = harness.asked();
+        let Some(Request::SubmitJob { job, .. }) = asked.last() else {
+            panic!("{asked:?}");
+        };
+        let Some(Command::MoveTo(first)) = job.commands.first() else {
+            panic!("{:?}", job.commands);
+        };
+        assert_eq!((first.x_mm, first.y_mm), (x, y), "line {line}");
+        assert_eq!(job.program.lines[0], of, "line {line}");
+    }
+    for line in [0, 18] {
+        let (_, detail) = ask(&harness, "jobs", job(line)).await.is(422).problem();
+        let expected = format!(
+            "from_line is {line}; allowed are 1 to 16, the line of the last step that does something"
+        );
+        assert_eq!(detail, expected);
+    }
+    let both = json!({"program": {"text": CUBE}, "from_line": 1, "from_step": 1});
+    ask(&harness, "jobs", both)
+        .await
+        .is(422)
+        .is_problem("out-of-range");
 }
 
 #[tokio::test]

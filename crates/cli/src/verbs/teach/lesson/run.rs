@@ -3,7 +3,7 @@
 use dobot_api::NewJob;
 use dobot_host::PlannedFor;
 use dobot_teach::{
-    Action, Compiled, CompiledStep, Files, Problem, Program, ProgramError, Steps, Times, check,
+    Action, Files, Problem, Program, ProgramError, Steps, Times, check, first_step_at,
 };
 
 use super::Lesson;
@@ -108,15 +108,4 @@ fn problem_text(first: &Problem, more: usize) -> String {
         0 => text,
         more => format!("{text} (and {more} more: `dobot check` lists them)"),
     }
-}
-
-/// Returns the path and the step, both counted from 0, that come first to a line of the program or
-/// to one after it.
-fn first_step_at(paths: &[Compiled], line: usize) -> Option<(usize, usize)> {
-    let starts = paths.iter().enumerate().filter_map(|(path, compiled)| {
-        let is_here = |step: &CompiledStep| step.file.is_none() && step.line >= line;
-        let step = compiled.steps.iter().position(is_here)?;
-        Some((compiled.steps[step].line, path, step))
-    });
-    starts.min().map(|(_, path, step)| (path, step))
 }

@@ -86,9 +86,8 @@ impl Run {
         self.started.commands = commands;
         self.reach = None;
         self.asked_at = None;
-        if self.step_end.is_some() {
-            self.step_end = Some(self.started.step_end());
-        }
+        // An answer ends the step; the next one runs on request only.
+        self.step_end = self.step_end.map(|_| self.started.completed);
         let answer = self.started.program.asking.as_ref();
         let answer = answer.and_then(|asking| asking.answers.last());
         let text = answer.map_or_else(String::new, |answer| format!("job {job}: {answer}"));

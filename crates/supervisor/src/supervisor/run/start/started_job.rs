@@ -147,7 +147,9 @@ impl StartedJob {
     pub(crate) fn step_end(&self) -> usize {
         let (_, within) = self.program.at(self.completed + self.back, self.commands);
         let steps = &self.program.steps;
-        let next = match steps.get(steps.partition_point(|step| *step <= within)) {
+        // Settings before the first step belong to it.
+        let begun = steps.first().map_or(within, |first| within.max(*first));
+        let next = match steps.get(steps.partition_point(|step| *step <= begun)) {
             Some(next) => *next,
             None if steps.is_empty() => within + 1,
             None => self.commands,
