@@ -12,7 +12,7 @@ import { jobs } from "./panels/jobs.js";
 import { floatingJog } from "./panels/jog.js";
 import { move } from "./panels/move.js";
 import { teach } from "./panels/teach.js";
-import { createFrameBudget } from "./parts/frame_budget.js";
+import { createFrameBudget, createFrames } from "./parts/frame_budget.js";
 import { readName } from "./parts/name.js";
 import { keepFocus } from "./parts/keep_focus.js";
 import { isDarkTheme, savePreferences, readPreferences } from "./parts/preferences.js";
@@ -92,24 +92,13 @@ const viewOf = createViewOf();
 
 // --- The state, drawn: once for each picture of the screen, however much has changed -----------------
 
-let frame = 0;
 /** @type {Page | null} */ let drawn = null;
 const budget = createFrameBudget();
-/** @type {number | undefined} */ let waits;
+const frames = createFrames(draw);
 
 /** Draws with the next frame. A report of the arm waits until there was time for input, and so does everything while a button is held. */
 function changed(isReport = false) {
-  if (frame) return;
-  const wait_ms = isReport || store.page.jog.held !== null ? budget.wait_ms() : 0;
-  if (wait_ms > 0) {
-    waits ??= setTimeout(() => {
-      waits = undefined;
-      changed(true);
-    }, wait_ms);
-    return;
-  }
-  clearTimeout(waits);
-  frame = requestAnimationFrame(draw);
+  frames.ask(isReport || store.page.jog.held !== null ? budget.wait_ms() : 0);
 }
 
 // Read only on a change: reading `matches` between frames makes Chromium swallow the event.
@@ -117,8 +106,7 @@ let isSystemDark = dark.matches;
 const isDark = (/** @type {Page} */ { theme }) => isDarkTheme(theme, isSystemDark);
 
 function draw() {
-  frame = 0;
-  waits = undefined;
+  socket.beat();
   budget.begin();
   const { page } = store;
   const t = translator(page.language);
@@ -129,10 +117,16 @@ function draw() {
   drawn = page;
   drawStage(page, t);
   if (numbersOnly) return void render(pose(context), part("numbers"));
-  document.documentElement.lang = page.language;
-  document.documentElement.dataset.theme = isDark(page) ? "dark" : "light";
+  drawRoot(page.language, isDark(page) ? "dark" : "light");
   keepFocus(() => renderAll(context));
   point(page);
+}
+
+/** Sets the language and the theme; each setting restyles every element, even if the value is unchanged. @param {string} language @param {string} theme */
+function drawRoot(language, theme) {
+  const root = document.documentElement;
+  if (root.lang !== language) root.lang = language;
+  if (root.dataset.theme !== theme) root.dataset.theme = theme;
 }
 
 /** @param {Context} context */

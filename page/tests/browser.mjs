@@ -45,10 +45,11 @@ export async function drawn(page) {
   await page.waitForFunction(() => window.frames_asked === 0, undefined, { polling: 20 });
 }
 
-/** Counts the frames that the page has asked for and that have not come yet. */
+/** Counts the frames that the page has asked for and that have not come yet, and those that it will ask for after a wait. */
 function countFrames() {
   const [request, cancel] = [window.requestAnimationFrame.bind(window), window.cancelAnimationFrame.bind(window)];
-  const asked = new Set();
+  const [later, never] = [window.setTimeout.bind(window), window.clearTimeout.bind(window)];
+  const asked = new Set(), timers = new Map();
   const told = () => (window.frames_asked = asked.size);
   told();
   window.requestAnimationFrame = (action) => {
@@ -65,6 +66,24 @@ function countFrames() {
     asked.delete(frame);
     told();
     cancel(frame);
+  };
+  window.setTimeout = (action, ...all) => {
+    if (action.name !== "frameTimer") return later(action, ...all);
+    const timer = later(() => {
+      asked.delete(action);
+      action();
+      told();
+    }, ...all);
+    timers.set(timer, action);
+    asked.add(action);
+    told();
+    return timer;
+  };
+  window.clearTimeout = (timer) => {
+    asked.delete(timers.get(timer));
+    timers.delete(timer);
+    told();
+    never(timer);
   };
 }
 

@@ -3,7 +3,7 @@
 
 import { createScene2d } from "./scene_2d.js";
 import { Motion } from "./motion.js";
-import { createFrameBudget } from "../parts/frame_budget.js";
+import { createFrameBudget, createFrames } from "../parts/frame_budget.js";
 import { BUSY_MS } from "../station/keep_alive.js";
 import { createLimit, createRenderQuality } from "./render_quality.js";
 
@@ -32,7 +32,7 @@ export function createStage(element) {
   let pace = createRenderQuality(true);
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   /** @type {View | null} */ let view = null;
-  let frame = 0, inked = 0, inSight = true, isHeld = false, hasCard = false, isFlat = false, isLoading = false;
+  let inked = 0, inSight = true, isHeld = false, hasCard = false, isFlat = false, isLoading = false;
   /** @type {AnyScene} */ let drawing;
   /** The scene that is being prepared. @type {Scene3d | null} */ let next3d = null;
 
@@ -41,19 +41,19 @@ export function createStage(element) {
       return still.matches;
     },
     changed() {
-      if (inSight && !document.hidden && !frame) frame = requestAnimationFrame(draw);
+      if (inSight && !document.hidden) frames.ask(wait_ms());
     },
     /** @param {import("./view.js").Target} detail */
     target: (detail) => void element.dispatchEvent(new CustomEvent("target", { detail })),
   };
 
-  /** Whether a frame has to wait for input: without a graphics card, drawing takes the time of the page's thread. */
-  const leavesTime = () => (isHeld || (drawing.kind === "3d" && !hasCard)) && budget.wait_ms() > 0;
+  /** How long a frame has to wait for input: without a graphics card, drawing takes the time of the page's thread. */
+  const wait_ms = () => (isHeld || (drawing.kind === "3d" && !hasCard) ? budget.wait_ms() : 0);
+  const frames = createFrames(draw);
 
   /** @param {number} now_ms */
   function draw(now_ms) {
-    frame = 0;
-    if (leavesTime() || !isDue(now_ms)) return outside.changed();
+    if (!isDue(now_ms)) return outside.changed();
     budget.begin(drawing.kind === "3d" && isHeld ? reportSlow : undefined);
     const at = motion.at(performance.now() / 1000);
     if (next3d) prepare(next3d, at?.joints ?? null);
@@ -70,8 +70,7 @@ export function createStage(element) {
 
   /** Handles a change of visibility: pending changes are drawn when the stage is visible again. */
   function turnUp() {
-    cancelAnimationFrame(frame);
-    frame = 0;
+    frames.cancel();
     outside.changed();
   }
 
@@ -210,7 +209,7 @@ export function createStage(element) {
       next3d?.show(next);
     },
     end() {
-      cancelAnimationFrame(frame);
+      frames.cancel();
       watched.disconnect();
       sight.disconnect();
       document.removeEventListener("visibilitychange", turnUp);
