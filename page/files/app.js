@@ -113,11 +113,13 @@ function draw() {
   /** @type {Context} */
   const context = { page, t, act, jog, pads, hands, connect: socket.connect, look: (preset) => stage.look(preset) };
   // While a button is held, the page has time for the numbers only.
+  const isFirst = drawn === null;
   const numbersOnly = drawn !== null && page.jog.held !== null && onlyMoved(drawn, page);
   drawn = page;
   drawStage(page, t);
   if (numbersOnly) return void render(pose(context), part("numbers"));
   drawRoot(page.language, isDark(page) ? "dark" : "light");
+  if (isFirst) endEarlyStop();
   keepFocus(() => renderAll(context));
   point(page);
 }
@@ -248,11 +250,11 @@ followTarget(store, socket);
 followDrawing(store, http, fileRequests);
 followPackets(store, http);
 listenToDrops(part("work"), act.openFile);
-endEarlyStop();
 takeToken(http);
 // Where there is room for it beside the arm.
 if (matchMedia("(min-width: 75rem) and (min-height: 42rem)").matches) store.send({ type: "jog_set", set: { floats: true } });
-draw();
+// In a task of its own: until then the STOP of the page that is not loaded yet stays.
+changed();
 socket.connect();
 // An installed page says at once that the station does not answer.
 if ("serviceWorker" in navigator) void navigator.serviceWorker.register("offline.js").catch(() => {});

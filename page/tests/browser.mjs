@@ -88,6 +88,7 @@ function countFrames() {
 }
 
 function hideWebgl() {
+  delete window.WebGL2RenderingContext;
   const { getContext } = HTMLCanvasElement.prototype;
   HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
     return kind.startsWith("webgl") ? null : getContext.call(this, kind, ...more);

@@ -14,6 +14,9 @@ function afterPaint(action) {
   port2.postMessage(null);
 }
 
+/** Resolves in a task of its own, before which input is handled. @returns {Promise<void>} */
+export const nextTask = () => new Promise(afterPaint);
+
 /** @param {() => number} now in ms @param {typeof afterPaint} after */
 export function createFrameBudget(now = () => performance.now(), after = afterPaint) {
   let free_ms = 0;

@@ -3,7 +3,7 @@
 
 import { createScene2d } from "./scene_2d.js";
 import { Motion } from "./motion.js";
-import { createFrameBudget, createFrames } from "../parts/frame_budget.js";
+import { createFrameBudget, createFrames, nextTask } from "../parts/frame_budget.js";
 import { BUSY_MS } from "../station/keep_alive.js";
 import { createLimit, createRenderQuality } from "./render_quality.js";
 
@@ -104,11 +104,12 @@ export function createStage(element) {
 
   /** Prepares three dimensions while two are shown: a page that waits for shaders would not hear STOP. */
   async function raise() {
-    const by = isFlat ? "nothing" : drawsBy();
-    if (by === "nothing" || next3d || isLoading) return;
+    if (isFlat || next3d || isLoading) return;
     isLoading = true;
+    const by = await findRenderer();
     // Half of all that a first visit loads; without it the stage stays flat.
-    const loaded = await import("./scene_3d.js").catch(() => null);
+    const loaded = by === "nothing" ? null : await import("./scene_3d.js").catch(() => null);
+    await nextTask();
     isLoading = false;
     if (!loaded || isFlat) return;
     const { createScene3d } = loaded;
@@ -116,7 +117,9 @@ export function createStage(element) {
     const scene = next3d = createScene3d(element, outside, hasCard);
     scene.source.addEventListener("webglcontextlost", (event) => lost(event, scene));
     size(scene, createRenderQuality(hasCard));
+    await nextTask();
     if (view) scene.show(view);
+    await nextTask();
     await scene.compile();
     if (next3d !== scene) return scene.end();
     scene.isReady = true;
@@ -221,14 +224,14 @@ export function createStage(element) {
   };
 }
 
-/** Returns the 3D renderer: a graphics card, the processor, or nothing. */
-function drawsBy() {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  if (!gl) return "nothing";
-  const named = gl.getExtension("WEBGL_debug_renderer_info");
-  const name = String(gl.getParameter(named ? named.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-  gl.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) ? "processor" : "card";
+/** Asks a thread what draws three dimensions: the page would have to wait for the first context. @returns {Promise<import("./webgl_worker.js").Renderer>} */
+function findRenderer() {
+  if (!("OffscreenCanvas" in window && "WebGL2RenderingContext" in window)) return Promise.resolve("nothing");
+  const worker = new Worker(new URL("webgl_worker.js", import.meta.url), { type: "module" });
+  return new Promise((found) => {
+    worker.onmessage = ({ data }) => found(data);
+    worker.onerror = () => found("nothing");
+  }).finally(() => worker.terminate());
 }
 
 /** View properties that are not drawn. */
