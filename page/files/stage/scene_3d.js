@@ -277,6 +277,8 @@ export function createScene3d(element, outside, card) {
       renderAlone(part, parts);
       await nextTask();
     }
+    // The last shadow is that of one part.
+    renderer.shadowMap.needsUpdate = true;
   }
 
   /** Draws a part into a single pixel. @param {Object3D} part @param {Object3D[]} parts */
