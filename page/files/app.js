@@ -11,7 +11,7 @@ import { draw as drawPanelOf } from "./panels/draw.js";
 import { jobs } from "./panels/jobs.js";
 import { floatingJog } from "./panels/jog.js";
 import { move } from "./panels/move.js";
-import { createFrameBudget } from "./parts/frame_budget.js";
+import { createFrameBudget, createFrames } from "./parts/frame_budget.js";
 import { readName } from "./parts/name.js";
 import { keepFocus } from "./parts/keep_focus.js";
 import { isDarkTheme, savePreferences, readPreferences } from "./parts/preferences.js";
@@ -92,24 +92,13 @@ const viewOf = createViewOf();
 
 // --- The state, drawn: once for each picture of the screen, however much has changed -----------------
 
-let frame = 0;
 /** @type {Page | null} */ let drawn = null;
 const budget = createFrameBudget();
-/** @type {number | undefined} */ let waits;
+const frames = createFrames(draw);
 
 /** Draws with the next frame. A report of the arm waits until there was time for input, and so does everything while a button is held. */
 function changed(isReport = false) {
-  if (frame) return;
-  const wait_ms = isReport || store.page.jog.held !== null ? budget.wait_ms() : 0;
-  if (wait_ms > 0) {
-    waits ??= setTimeout(() => {
-      waits = undefined;
-      changed(true);
-    }, wait_ms);
-    return;
-  }
-  clearTimeout(waits);
-  frame = requestAnimationFrame(draw);
+  frames.ask(isReport || store.page.jog.held !== null ? budget.wait_ms() : 0);
 }
 
 // Read only on a change: reading `matches` between frames makes Chromium swallow the event.
@@ -117,22 +106,29 @@ let isSystemDark = dark.matches;
 const isDark = (/** @type {Page} */ { theme }) => isDarkTheme(theme, isSystemDark);
 
 function draw() {
-  frame = 0;
-  waits = undefined;
+  socket.beat();
   budget.begin();
   const { page } = store;
   const t = translator(page.language);
   /** @type {Context} */
   const context = { page, t, act, jog, pads, hands, connect: socket.connect, look: (preset) => stage.look(preset) };
   // While a button is held, the page has time for the numbers only.
+  const isFirst = drawn === null;
   const numbersOnly = drawn !== null && page.jog.held !== null && onlyMoved(drawn, page);
   drawn = page;
   drawStage(page, t);
   if (numbersOnly) return void render(pose(context), part("numbers"));
-  document.documentElement.lang = page.language;
-  document.documentElement.dataset.theme = isDark(page) ? "dark" : "light";
+  drawRoot(page.language, isDark(page) ? "dark" : "light");
+  if (isFirst) endEarlyStop();
   keepFocus(() => renderAll(context));
   point(page);
+}
+
+/** Sets the language and the theme; each setting restyles every element, even if the value is unchanged. @param {string} language @param {string} theme */
+function drawRoot(language, theme) {
+  const root = document.documentElement;
+  if (root.lang !== language) root.lang = language;
+  if (root.dataset.theme !== theme) root.dataset.theme = theme;
 }
 
 /** @param {Context} context */
@@ -254,11 +250,11 @@ followTarget(store, socket);
 followDrawing(store, http, fileRequests);
 followPackets(store, http);
 listenToDrops(part("work"), act.openFile);
-endEarlyStop();
 takeToken(http);
 // Where there is room for it beside the arm.
 if (matchMedia("(min-width: 75rem) and (min-height: 42rem)").matches) store.send({ type: "jog_set", set: { floats: true } });
-draw();
+// In a task of its own: until then the STOP of the page that is not loaded yet stays.
+changed();
 socket.connect();
 // An installed page says at once that the station does not answer.
 if ("serviceWorker" in navigator) void navigator.serviceWorker.register("offline.js").catch(() => {});

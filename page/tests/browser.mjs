@@ -45,10 +45,11 @@ export async function drawn(page) {
   await page.waitForFunction(() => window.frames_asked === 0, undefined, { polling: 20 });
 }
 
-/** Counts the frames that the page has asked for and that have not come yet. */
+/** Counts the frames that the page has asked for and that have not come yet, and those that it will ask for after a wait. */
 function countFrames() {
   const [request, cancel] = [window.requestAnimationFrame.bind(window), window.cancelAnimationFrame.bind(window)];
-  const asked = new Set();
+  const [later, never] = [window.setTimeout.bind(window), window.clearTimeout.bind(window)];
+  const asked = new Set(), timers = new Map();
   const told = () => (window.frames_asked = asked.size);
   told();
   window.requestAnimationFrame = (action) => {
@@ -66,9 +67,28 @@ function countFrames() {
     told();
     cancel(frame);
   };
+  window.setTimeout = (action, ...all) => {
+    if (action.name !== "frameTimer") return later(action, ...all);
+    const timer = later(() => {
+      asked.delete(action);
+      action();
+      told();
+    }, ...all);
+    timers.set(timer, action);
+    asked.add(action);
+    told();
+    return timer;
+  };
+  window.clearTimeout = (timer) => {
+    asked.delete(timers.get(timer));
+    timers.delete(timer);
+    told();
+    never(timer);
+  };
 }
 
 function hideWebgl() {
+  delete window.WebGL2RenderingContext;
   const { getContext } = HTMLCanvasElement.prototype;
   HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
     return kind.startsWith("webgl") ? null : getContext.call(this, kind, ...more);

@@ -17,7 +17,7 @@ function listen() {
   let last = null;
   const { postMessage } = Worker.prototype;
   Worker.prototype.postMessage = function (message) {
-    const { number } = message.hold ?? {}, now = performance.now();
+    const number = message.hold?.number ?? message.beat, now = performance.now();
     if (number !== undefined) window.silences[number] = Math.max(window.silences[number] ?? 0, last?.number === number ? now - last.at : 0);
     last = number === undefined ? null : { number, at: now };
     return postMessage.call(this, message);

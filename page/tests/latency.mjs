@@ -1,5 +1,7 @@
 // Measures how long it takes from a pointer on a jog button to the packet at the arm, and from its release to the packet that
-// stops it; and what a first and a second visit cost, also over a slow line. `npm run latency --prefix page`.
+// stops it; what a first and a second visit cost, also over a slow line; and the longest task of a visit, also on a slow computer.
+// `npm run latency --prefix page`.
+import { loadavg } from "node:os";
 import { moved, open, rest, takeControl } from "./bench.mjs";
 import { launch, leave, visitor } from "./browser.mjs";
 
@@ -35,6 +37,27 @@ for (const name of ["first", "second"]) {
   const [stop_ms, page_ms] = await slow.evaluate(() => [performance.getEntriesByName("stop works")[0].startTime, performance.now()]);
   console.log(`${name} visit at 1.5 Mbit/s, 150 ms: STOP after ${(stop_ms / 1000).toFixed(1)} s, page after ${(page_ms / 1000).toFixed(1)} s, ${(bytes / 1000).toFixed(0)} kB`);
   client.off("Network.loadingFinished", count);
+}
+
+/** Keeps how long each task of the page takes, in ms. */
+function keepTasks() {
+  window.tasks = [];
+  new PerformanceObserver((list) => window.tasks.push(...list.getEntries().map(({ duration }) => duration))).observe({ type: "longtask", buffered: true });
+}
+
+for (const webgl of [false, true]) {
+  for (const rate of [1, 4]) {
+    const context = await visitor(browser, { webgl });
+    await context.addInitScript(keepTasks);
+    const page = await context.newPage();
+    await (await context.newCDPSession(page)).send("Emulation.setCPUThrottlingRate", { rate });
+    await page.goto(bench.url);
+    await page.waitForFunction(() => document.querySelector("[data-pose=x_mm]")?.textContent !== "–");
+    if (webgl) await page.waitForSelector("#stage[data-shown='3d']");
+    const tasks = await page.evaluate(() => window.tasks);
+    console.log(`first visit, ${webgl ? "3-D" : "flat"}, ${rate} times as slow: longest task ${Math.max(0, ...tasks).toFixed(0)} ms, over 200 ms: ${tasks.filter((ms) => ms > 200).length}; load ${loadavg()[0].toFixed(0)}`);
+    await context.close();
+  }
 }
 await leave(browser);
 

@@ -58,7 +58,7 @@ test("a first visit is small enough for a slow line, and what STOP needs comes f
   const stop = own.findIndex((path) => path.endsWith("/station/stop.js"));
   const app = own.findIndex((path) => path.endsWith("/app.js"));
   assert.ok(stop > 0 && stop < 10 && stop < app, `stop.js is request ${stop}, app.js ${app}`);
-  assert.ok(!own.some((path) => path.includes("/three/")), "three dimensions are loaded later, if at all");
+  for (const later of ["/three/", "/js-aruco2/"]) assert.ok(!own.some((path) => path.includes(later)), `${later} is loaded later, if at all`);
   const bytes = came.reduce((sum, file) => sum + file.bytes, 0);
   const first = came.filter(({ path }) => own.indexOf(path) <= stop);
   const stop_s = time_s(first.length, first.reduce((sum, file) => sum + file.bytes, 0));

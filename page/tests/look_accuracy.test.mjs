@@ -6,7 +6,8 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { MARKER_MM } from "../files/state/look.js";
 import { heightOfMarker, onSheet, placeOfMarker } from "../files/vision/geometry.js";
-import { CROSSES, LEAST_CROSSES, crossesIn } from "../files/vision/crosses.js";
+import { crossesIn } from "../files/vision/crosses.js";
+import { CROSSES, LEAST_CROSSES } from "../files/vision/drawn_crosses.js";
 import { createLook } from "../files/vision/look.js";
 import { readPhoto, renderPhotos } from "./photos.mjs";
 

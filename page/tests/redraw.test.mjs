@@ -36,6 +36,24 @@ function countDraws() {
   }
 }
 
+/** Counts the shaders that each task of the page compiles. */
+function countPrograms() {
+  window.programs = [];
+  let isSameTask = false;
+  const { port1, port2 } = new MessageChannel();
+  port1.onmessage = () => (isSameTask = false);
+  const { linkProgram } = WebGL2RenderingContext.prototype;
+  WebGL2RenderingContext.prototype.linkProgram = function (...all) {
+    if (!isSameTask) {
+      window.programs.push(0);
+      port2.postMessage(0);
+    }
+    isSameTask = true;
+    window.programs[window.programs.length - 1] += 1;
+    return linkProgram.apply(this, all);
+  };
+}
+
 /** A screen that is four times as fast as most. */
 function quicken() {
   let asked = 0;
@@ -83,6 +101,15 @@ test("nothing is drawn while the arm is at rest, although its station keeps repo
     counts.unshift((await draws(page)).length);
   } while (counts[0] !== counts[1] && counts.length < 6);
   assert.equal(counts[0], counts[1], `frames, the last first: ${counts}`);
+});
+
+test("three dimensions are prepared in many small tasks, between which the page hears STOP", async () => {
+  const fresh = await bench.visit({ viewport: SIZE, webgl: true }, countPrograms);
+  await fresh.waitForSelector("#stage[data-shown='3d']");
+  const programs = await fresh.evaluate(() => window.programs);
+  const all = programs.reduce((sum, n) => sum + n, 0);
+  assert.ok(Math.max(...programs) <= all / 2, `shaders compiled in each task: ${programs}`);
+  await fresh.context().close();
 });
 
 test("a moving arm is drawn, at most 60 times per second on a faster screen", async () => {

@@ -43,6 +43,20 @@ test("without a graphics card the page shows a copy of each frame, and waits for
   assert.ok(await page.evaluate(() => document.querySelector("#stage canvas").getContext("webgl2") === null && window.frames.length > 0));
 });
 
+test("a press changes the button, and restyles no other part of the page", async () => {
+  await rest(page);
+  await page.evaluate(() => {
+    window.restyled = [];
+    new MutationObserver((all) => window.restyled.push(...all.map((it) => it.attributeName))).observe(document.documentElement, { attributes: true });
+  });
+  await press(page, "y_plus");
+  await page.waitForSelector("[data-axis=y_plus].is-held");
+  await moved(page, "y_mm", 5);
+  await page.mouse.up();
+  await rest(page);
+  assert.deepEqual(await page.evaluate(() => window.restyled), []);
+});
+
 test("while a button is held, each slow frame is followed by four times as long for input", async () => {
   await rest(page);
   await page.evaluate((ms) => { window.slow_ms = ms; window.frames.length = 0; }, FRAME_MS);

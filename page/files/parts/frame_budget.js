@@ -1,5 +1,5 @@
-// Spaces frames out, so that drawing leaves most of the time to input. Pure, except for the clock and a
-// message after each frame.
+// Spaces frames out, so that drawing leaves most of the time to input. Pure, except for the clock, the frames of the browser and
+// a message after each frame.
 
 /** Time for input after a frame, as a multiple of what the frame took. */
 const REST = 4;
@@ -13,6 +13,9 @@ function afterPaint(action) {
   };
   port2.postMessage(null);
 }
+
+/** Resolves in a task of its own, before which input is handled. @returns {Promise<void>} */
+export const nextTask = () => new Promise(afterPaint);
 
 /** @param {() => number} now in ms @param {typeof afterPaint} after */
 export function createFrameBudget(now = () => performance.now(), after = afterPaint) {
@@ -30,4 +33,43 @@ export function createFrameBudget(now = () => performance.now(), after = afterPa
       });
     },
   };
+}
+
+/**
+ * Asks the browser for frames, one at a time. To wait, it sets a timer: a frame that draws nothing costs the browser nearly as
+ * much as one that does.
+ * @param {(now_ms: number) => void} draw
+ */
+export function createFrames(draw) {
+  let frame = 0;
+  /** @type {number | undefined} */ let timer;
+
+  function drawNow(/** @type {number} */ now_ms) {
+    frame = 0;
+    draw(now_ms);
+  }
+
+  function cancel() {
+    cancelAnimationFrame(frame);
+    clearTimeout(timer);
+    frame = 0;
+    timer = undefined;
+  }
+
+  return {
+    /** Asks for a frame after a wait; an earlier one counts for a later one, too. @param {number} wait_ms 0 for the next frame */
+    ask(wait_ms) {
+      if (frame || (timer !== undefined && wait_ms > 0)) return;
+      cancel();
+      if (wait_ms > 0) timer = setTimeout(frameTimer, wait_ms);
+      else frame = requestAnimationFrame(drawNow);
+    },
+    cancel,
+  };
+
+  // The browser tests know the timer by this name.
+  function frameTimer() {
+    timer = undefined;
+    frame = requestAnimationFrame(drawNow);
+  }
 }

@@ -13,6 +13,7 @@ import { createDrawing, createPlanned, createTrail } from "./lines.js";
 import { forward, inverse, rad } from "./kinematics.js";
 import { colorsOf } from "./colors.js";
 import { createMarks } from "./marks.js";
+import { nextTask } from "../parts/frame_budget.js";
 import { createPaper, createPlane, createTable } from "./paper.js";
 import { createTarget } from "./target.js";
 import { createBeam } from "./tools.js";
@@ -22,6 +23,7 @@ import { createWorld } from "./objects.js";
 /** @typedef {import("./view.js").Joints} Joints */
 /** @typedef {import("./view.js").Preset} Preset */
 /** @typedef {import("./view.js").Point} Point */
+/** @typedef {import("../vendor/three/three.js").Object3D} Object3D */
 
 const SWING_S = 0.45;
 /** Shadow resolution, with a graphics card and without one. */
@@ -257,8 +259,7 @@ export function createScene3d(element, outside, card) {
     },
     /** The canvas of WebGL, which loses its context. */
     source,
-    /** Compiles the shaders without making the page wait. */
-    compile: () => renderer.compileAsync(scene, lens),
+    compile,
     end() {
       leave();
       marks.end();
@@ -266,6 +267,31 @@ export function createScene3d(element, outside, card) {
       canvas.remove();
     },
   };
+
+  /** Compiles the shaders and uploads the shapes, one part after the other, so that the page never waits for all of them. */
+  async function compile() {
+    const parts = scene.children.filter((it) => it !== light.group);
+    for (const part of parts) {
+      await renderer.compileAsync(part, lens, scene);
+      await nextTask();
+      renderAlone(part, parts);
+      await nextTask();
+    }
+    // The last shadow is that of one part.
+    renderer.shadowMap.needsUpdate = true;
+  }
+
+  /** Draws a part into a single pixel. @param {Object3D} part @param {Object3D[]} parts */
+  function renderAlone(part, parts) {
+    const others = parts.filter((it) => it !== part && it.visible);
+    for (const it of others) it.visible = false;
+    renderer.shadowMap.needsUpdate = true;
+    renderer.setScissor(0, 0, 1, 1);
+    renderer.setScissorTest(true);
+    renderer.render(scene, lens);
+    renderer.setScissorTest(false);
+    for (const it of others) it.visible = true;
+  }
 
   /** @returns {Point} */
   function tipOf() {

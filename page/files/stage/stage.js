@@ -3,7 +3,7 @@
 
 import { createScene2d } from "./scene_2d.js";
 import { Motion } from "./motion.js";
-import { createFrameBudget } from "../parts/frame_budget.js";
+import { createFrameBudget, createFrames, nextTask } from "../parts/frame_budget.js";
 import { BUSY_MS } from "../station/keep_alive.js";
 import { createLimit, createRenderQuality } from "./render_quality.js";
 
@@ -32,7 +32,7 @@ export function createStage(element) {
   let pace = createRenderQuality(true);
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   /** @type {View | null} */ let view = null;
-  let frame = 0, inked = 0, inSight = true, isHeld = false, hasCard = false, isFlat = false, isLoading = false;
+  let inked = 0, inSight = true, isHeld = false, hasCard = false, isFlat = false, isLoading = false;
   /** @type {AnyScene} */ let drawing;
   /** The scene that is being prepared. @type {Scene3d | null} */ let next3d = null;
 
@@ -41,19 +41,19 @@ export function createStage(element) {
       return still.matches;
     },
     changed() {
-      if (inSight && !document.hidden && !frame) frame = requestAnimationFrame(draw);
+      if (inSight && !document.hidden) frames.ask(wait_ms());
     },
     /** @param {import("./view.js").Target} detail */
     target: (detail) => void element.dispatchEvent(new CustomEvent("target", { detail })),
   };
 
-  /** Whether a frame has to wait for input: without a graphics card, drawing takes the time of the page's thread. */
-  const leavesTime = () => (isHeld || (drawing.kind === "3d" && !hasCard)) && budget.wait_ms() > 0;
+  /** How long a frame has to wait for input: without a graphics card, drawing takes the time of the page's thread. */
+  const wait_ms = () => (isHeld || (drawing.kind === "3d" && !hasCard) ? budget.wait_ms() : 0);
+  const frames = createFrames(draw);
 
   /** @param {number} now_ms */
   function draw(now_ms) {
-    frame = 0;
-    if (leavesTime() || !isDue(now_ms)) return outside.changed();
+    if (!isDue(now_ms)) return outside.changed();
     budget.begin(drawing.kind === "3d" && isHeld ? reportSlow : undefined);
     const at = motion.at(performance.now() / 1000);
     if (next3d) prepare(next3d, at?.joints ?? null);
@@ -70,8 +70,7 @@ export function createStage(element) {
 
   /** Handles a change of visibility: pending changes are drawn when the stage is visible again. */
   function turnUp() {
-    cancelAnimationFrame(frame);
-    frame = 0;
+    frames.cancel();
     outside.changed();
   }
 
@@ -105,11 +104,12 @@ export function createStage(element) {
 
   /** Prepares three dimensions while two are shown: a page that waits for shaders would not hear STOP. */
   async function raise() {
-    const by = isFlat ? "nothing" : drawsBy();
-    if (by === "nothing" || next3d || isLoading) return;
+    if (isFlat || next3d || isLoading) return;
     isLoading = true;
+    const by = await findRenderer();
     // Half of all that a first visit loads; without it the stage stays flat.
-    const loaded = await import("./scene_3d.js").catch(() => null);
+    const loaded = by === "nothing" ? null : await import("./scene_3d.js").catch(() => null);
+    await nextTask();
     isLoading = false;
     if (!loaded || isFlat) return;
     const { createScene3d } = loaded;
@@ -117,7 +117,9 @@ export function createStage(element) {
     const scene = next3d = createScene3d(element, outside, hasCard);
     scene.source.addEventListener("webglcontextlost", (event) => lost(event, scene));
     size(scene, createRenderQuality(hasCard));
+    await nextTask();
     if (view) scene.show(view);
+    await nextTask();
     await scene.compile();
     if (next3d !== scene) return scene.end();
     scene.isReady = true;
@@ -210,7 +212,7 @@ export function createStage(element) {
       next3d?.show(next);
     },
     end() {
-      cancelAnimationFrame(frame);
+      frames.cancel();
       watched.disconnect();
       sight.disconnect();
       document.removeEventListener("visibilitychange", turnUp);
@@ -222,14 +224,14 @@ export function createStage(element) {
   };
 }
 
-/** Returns the 3D renderer: a graphics card, the processor, or nothing. */
-function drawsBy() {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  if (!gl) return "nothing";
-  const named = gl.getExtension("WEBGL_debug_renderer_info");
-  const name = String(gl.getParameter(named ? named.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-  gl.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) ? "processor" : "card";
+/** Asks a thread what draws three dimensions: the page would have to wait for the first context. @returns {Promise<import("./webgl_worker.js").Renderer>} */
+function findRenderer() {
+  if (!("OffscreenCanvas" in window && "WebGL2RenderingContext" in window)) return Promise.resolve("nothing");
+  const worker = new Worker(new URL("webgl_worker.js", import.meta.url), { type: "module" });
+  return new Promise((found) => {
+    worker.onmessage = ({ data }) => found(data);
+    worker.onerror = () => found("nothing");
+  }).finally(() => worker.terminate());
 }
 
 /** View properties that are not drawn. */

@@ -133,27 +133,24 @@ function createGhost() {
   const depth = new MeshBasicMaterial({ colorWrite: false, ...behind });
   const glass = new MeshLambertMaterial({ transparent: true, opacity: 0.36, depthWrite: false, ...behind });
   const group = new Group();
-  const layers = [depth, glass].map((material, n) => {
-    const arm = createArm({ metal: material, dark: material, accent: material, pin: material, rubber: material }, { foot: false });
-    group.add(arm.group);
-    return { arm, order: 8 + n };
-  });
-  const settle = () => layers.forEach(({ arm, order }) => arm.group.traverse((object) => {
-    object.renderOrder = order;
-    object.castShadow = object.receiveShadow = false;
-  }));
+  const arm = createArm({ metal: glass, dark: glass, accent: glass, pin: glass, rubber: glass }, { foot: false });
+  group.add(arm.group);
+  /** @param {Mesh} part @param {number} order */
+  const settle = (part, order) => Object.assign(part, { renderOrder: order, castShadow: false, receiveShadow: false });
   return {
     group,
     /** @param {ArmShape} shape @param {View["tool"]} tool */
     mount(shape, tool) {
-      for (const { arm } of layers) arm.mount(shape, tool);
-      settle();
+      arm.mount(shape, tool);
+      /** @type {Mesh[]} */ const parts = [];
+      arm.group.traverse((object) => object instanceof Mesh && parts.push(object));
+      for (const part of parts) settle(part, 9).add(settle(new Mesh(part.geometry, depth), 8));
     },
     /** @param {Pose | null} pose @param {ArmShape | null} shape */
     show(pose, shape) {
       const joints = pose && shape && inverse(pose, shape);
       group.visible = joints !== null;
-      if (joints) for (const { arm } of layers) arm.pose(joints);
+      if (joints) arm.pose(joints);
     },
     /** @param {number} color */
     paint(color) {

@@ -27,8 +27,8 @@ export function rendersSame(before, after) {
   return (!watched || before.history === after.history) && read(before.station, watched) === read(after.station, watched);
 }
 
-/** Whether nothing but the pose of the arm has changed. @param {Page} before @param {Page} after */
-export const onlyMoved = (before, after) => rendersSame(withoutArm(before), withoutArm(after));
+/** Whether nothing but the pose of the arm and the figures of its link have changed. @param {Page} before @param {Page} after */
+export const onlyMoved = (before, after) => rendersSame(withoutReport(before), withoutReport(after));
 
 /** @param {Page} page @returns {Page} */
-const withoutArm = (page) => ({ ...page, station: page.station && { ...page.station, arm: null } });
+const withoutReport = (page) => ({ ...page, station: page.station && { ...page.station, arm: null, link: { ...page.station.link, statuses_per_s: 0 } } });

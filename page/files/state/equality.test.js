@@ -40,7 +40,7 @@ test("any other change of the page is new, and so is a report after a silence", 
 
 test("an arm that moves changes nothing but its pose, and a stop is more than that", () => {
   const arm = { ...STATION.arm, y_mm: 3, moving: true };
-  assert.ok(onlyMoved(OPEN, afterState({ arm })));
+  assert.ok(onlyMoved(OPEN, afterState({ arm, link: { ...STATION.link, statuses_per_s: 11.9, latency_ms: 8 } })));
   assert.ok(!onlyMoved(OPEN, afterState({ arm, stop: { by: "desk" } })));
   assert.ok(!onlyMoved(OPEN, afterState({ arm, laser: { armed_for_s: 9, on: false } })));
   assert.ok(!onlyMoved(OPEN, reduce(OPEN, { type: "jog_held", axis: "y_plus" })));

@@ -25,6 +25,10 @@ export function createKeepAlive(send) {
       held = { hold, busy_ms, text, heard_ms: now_ms, sent_ms: now_ms };
       return true;
     },
+    /** The page responds, and the button of this hold is still pressed. @param {number} hold @param {number} now_ms */
+    beat(hold, now_ms) {
+      if (held?.hold === hold) held.heard_ms = now_ms;
+    },
     /** The page has ended the hold. */
     end() {
       if (held) released = held.hold;

@@ -39,6 +39,19 @@ test("the button of a page that is busy for too long is released once, and its l
   assert.equal(sent.at(-1), "9 jog");
 });
 
+test("a page that responds keeps its button pressed before its next press, but no button of an earlier hold", () => {
+  const { keepAlive, sent } = kept();
+  const lastsAfter = (beaten) => {
+    keepAlive.press(hold(beaten + 1), press(7), 0);
+    keepAlive.beat(2, BUSY_MS - 10);
+    sent.length = 0;
+    keepAlive.tick(BUSY_MS + 1);
+    return sent.at(-1) !== `${REPEATED} release`;
+  };
+  assert.ok(lastsAfter(1));
+  assert.ok(!lastsAfter(2));
+});
+
 test("nothing is repeated after the end of a hold, even if a late press of it arrives", () => {
   const { keepAlive, sent } = kept();
   keepAlive.press(hold(1), press(7), 0);

@@ -2,7 +2,7 @@
 
 import { rawDegrees } from "../state/calibrate.js";
 import { blockedReason } from "../state/selectors.js";
-import { CROSSES, DIAGONAL_MM, LEAST_CROSSES } from "../vision/crosses.js";
+import { CROSSES, DIAGONAL_MM, LEAST_CROSSES } from "../vision/drawn_crosses.js";
 
 /** @typedef {ReturnType<typeof createPhoto>} PhotoRequests */
 /** @typedef {import("../vision/geometry.js").Pair} Pair */

@@ -1,7 +1,6 @@
 // The WebSocket to the station: connects, reconnects, and delivers each answer to its requester. It draws nothing.
 
 import { DEVICE } from "../parts/name.js";
-import { REPEATED } from "./keep_alive.js";
 import { createThreadedSocket } from "./threaded_socket.js";
 import { SILENT_MS, watchSilence } from "./silence.js";
 
@@ -95,7 +94,7 @@ export function createSocket({ store, http }) {
       store.send({ type: "notice", notice: message.notice });
     } else if (message.id != null && waiting.has(message.id)) {
       answer(message.id, "problem" in message ? { problem: message.problem } : { reply: message.reply });
-    } else if ("problem" in message && message.id !== REPEATED) {
+    } else if ("problem" in message) {
       store.send({ type: "problem", problem: message.problem });
     }
   }
@@ -138,6 +137,8 @@ export function createSocket({ store, http }) {
     connect,
     isOpen,
     ask,
+    /** Says that the page responds, while a button is held. */
+    beat: () => void socket?.beat(),
     /** Sends a piece of sound to the listener next to the station; empty at its end. @param {ArrayBuffer} pcm */
     sendAudio: (pcm) => socket?.sendAudio(pcm),
     takeControlIfFree,

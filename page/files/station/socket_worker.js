@@ -1,8 +1,8 @@
 // The WebSocket to the station, in a thread of its own: drawing the page delays no message of a held button.
 
-import { REPEAT_MS, createKeepAlive } from "./keep_alive.js";
+import { REPEATED, REPEAT_MS, createKeepAlive } from "./keep_alive.js";
 
-/** @typedef {{ number: number, open: { url: string, protocols: string[] } } | { number: number, close: true } | { number: number, pcm: ArrayBuffer } | { number: number, text: string, id: number, hold: import("./keep_alive.js").Hold | null, ends: boolean }} ToWorker */
+/** @typedef {{ number: number, open: { url: string, protocols: string[] } } | { number: number, close: true } | { number: number, pcm: ArrayBuffer } | { number: number, beat: number } | { number: number, text: string, id: number, hold: import("./keep_alive.js").Hold | null, ends: boolean }} ToWorker */
 /** @typedef {{ number: number, type: "open" } | { number: number, type: "message", data: string } | { number: number, type: "close", code: number, reason: string } | { number: number, type: "released", id: number }} FromWorker */
 
 /** @type {WebSocket | undefined} */ let socket;
@@ -20,7 +20,10 @@ function open(number, { url, protocols }) {
   current = number;
   const mine = socket = new WebSocket(url, protocols);
   mine.addEventListener("open", () => post({ number, type: "open" }));
-  mine.addEventListener("message", ({ data }) => post({ number, type: "message", data }));
+  mine.addEventListener("message", ({ data }) => {
+    // Nobody waits for these answers, and a page that is busy has no time for them.
+    if (JSON.parse(data).id !== REPEATED) post({ number, type: "message", data });
+  });
   mine.addEventListener("close", ({ code, reason }) => {
     if (mine === socket) keepAlive.end();
     post({ number, type: "close", code, reason });
@@ -34,6 +37,7 @@ addEventListener("message", (/** @type {MessageEvent<ToWorker>} */ { data }) => 
     keepAlive.end();
     return socket.close();
   }
+  if ("beat" in data) return keepAlive.beat(data.beat, performance.now());
   if ("pcm" in data) return void (socket.readyState === WebSocket.OPEN && socket.send(data.pcm));
   if (data.ends) keepAlive.end();
   if (data.hold === null) socket.readyState === WebSocket.OPEN && socket.send(data.text);

@@ -6,6 +6,7 @@
  * @typedef {object} Connection
  * @property {() => boolean} isOpen
  * @property {(text: string, id: number, hold: import("./keep_alive.js").Hold | null, ends: boolean) => void} send
+ * @property {() => void} beat
  * @property {(pcm: ArrayBuffer) => void} sendAudio
  * @property {() => void} close
  */
@@ -25,9 +26,13 @@ export function createThreadedSocket() {
   return function connect(url, protocols, handlers) {
     const mine = number += 1;
     let isOpen = false;
+    /** The hold of a button that was sent last, until a request ends it. @type {number | null} */ let held = null;
     const post = (/** @type {ToWorker} */ message) => worker.postMessage(message);
+    /** Says that the page responds: the worker keeps a held button pressed. */
+    const beat = () => held !== null && post({ number: mine, beat: held });
     const listen = (/** @type {MessageEvent<FromWorker>} */ { data }) => {
       if (data.number !== mine) return;
+      beat();
       switch (data.type) {
         case "open":
           isOpen = true;
@@ -46,7 +51,11 @@ export function createThreadedSocket() {
     post({ number: mine, open: { url, protocols } });
     return {
       isOpen: () => isOpen,
-      send: (text, id, hold, ends) => post({ number: mine, text, id, hold, ends }),
+      beat,
+      send(text, id, hold, ends) {
+        held = ends ? null : hold?.number ?? held;
+        post({ number: mine, text, id, hold, ends });
+      },
       sendAudio: (pcm) => worker.postMessage(/** @type {ToWorker} */ ({ number: mine, pcm }), [pcm]),
       close: () => post({ number: mine, close: true }),
     };

@@ -5,7 +5,7 @@ import { live } from "../../vendor/lit-html/directives/live.js";
 import { HIGHEST_BLOCK_MM, LEAST_TOUCHES, nextPoint, numbersOf, pointBlockedReason, touchBlockedReason, touchesOf } from "../../state/calibrate.js";
 import { blockedReason } from "../../state/selectors.js";
 import { problemText } from "../../i18n/problem_text.js";
-import { CROSSES } from "../../vision/crosses.js";
+import { CROSSES } from "../../vision/drawn_crosses.js";
 import { refusal } from "./arm.js";
 
 /** @typedef {import("../../views/context.js").Context} Context */
