@@ -451,7 +451,7 @@ step_hands() {
 # More photos than the tests of the page and of the Python package use.
 step_eyes() {
   local folder tests=$PWD/python/tests
-  needs_packages wide
+  needs_packages ci
   needs_page
   build_all
   use_photos
@@ -689,8 +689,8 @@ needs_packages() {
 # Installs Python packages while cargo builds.
 install_packages_early() {
   case " $* " in
-    *" agents "* | *" eyes "* | *" models "* | *" site "* | *" recordings "* | *" fleet "* | *" ros2 "*) needs_packages wide >/dev/null 2>&1 & ;;
-    *" api "* | *" python "* | *" voice "* | *" hands "*) needs_packages ci >/dev/null 2>&1 & ;;
+    *" agents "* | *" models "* | *" site "* | *" recordings "* | *" fleet "* | *" ros2 "*) needs_packages wide >/dev/null 2>&1 & ;;
+    *" api "* | *" python "* | *" voice "* | *" hands "* | *" eyes "*) needs_packages ci >/dev/null 2>&1 & ;;
     *) return ;;
   esac
   INSTALLING=$!

@@ -1,32 +1,47 @@
-// Makes the film that opens the README, `docs/pictures/first-minutes.webp`, of the story that `film.test.mjs` holds against the
-// arm. `npm run film --prefix page`; it needs `img2webp` (Debian's package webp) and a calm minute.
+// Makes a film of a story that a test compares with the arm: `npm run film --prefix page` the one that opens the README,
+// `docs/pictures/first-minutes.webp` (`film.test.mjs`), `npm run film --prefix page -- sorted-tray` that of docs/senses.md
+// (`sorting.test.mjs`). It needs `img2webp` (Debian's package webp) and a calm minute.
 import { spawnSync } from "node:child_process";
 import { mkdtemp, rm, stat, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { open } from "./bench.mjs";
+import { openSorting, tellSorting } from "./sorting.mjs";
 import { Hand, tell } from "./story.mjs";
 
-const FILM = fileURLToPath(new URL("../../docs/pictures/first-minutes.webp", import.meta.url));
 const SIZE = { width: 1120, height: 700 };
 const FRAME_MS = 125;
-/** Caption of each part of the story, and its playback speed. */
-const PARTS = [
-  ["jogged", "Hold a button: the arm moves", 1],
-  ["looped", "Teach two points, and loop them", 1.5],
-  ["stopped", "STOP, at any moment", 1],
-  ["released", "STOP, at any moment", 1],
-  ["planned", "Drop a picture", 1],
-  ["drawn", "Watch it drawn (6 times as fast)", 6],
-  ["looked", "Look at it from above", 1],
-  ["refused", "Out of reach? The page reports why, and how far the arm can go", 1],
-  [null, "Out of reach? The page reports why, and how far the arm can go", 1],
-];
+/** What opens a bench, the story, and for each of its parts the caption and the playback speed. */
+const FILMS = {
+  "first-minutes": [(options) => open({ virtual: true, ...options }), (hand, bench, seen) => tell(hand, seen), [
+    ["jogged", "Hold a button: the arm moves", 1],
+    ["looped", "Teach two points, and loop them", 1.5],
+    ["stopped", "STOP, at any moment", 1],
+    ["released", "STOP, at any moment", 1],
+    ["planned", "Drop a picture", 1],
+    ["drawn", "Watch it drawn (6 times as fast)", 6],
+    ["looked", "Look at it from above", 1],
+    ["refused", "Out of reach? The page reports why, and how far the arm can go", 1],
+    [null, "Out of reach? The page reports why, and how far the arm can go", 1],
+  ]],
+  "sorted-tray": [openSorting, tellSorting, [
+    ["found", "A camera sees the printed sheet and three cubes", 1],
+    ["measured", "Enter the height of each, or use the measured one", 1.5],
+    ["picked", "Pick up", 1.5],
+    ["placed", "Click where it goes, and place it", 1.5],
+    ["sorted", "A program sorts the others: the camera says where they are", 3],
+    [null, "A sorted tray", 1],
+  ]],
+};
 
 if (spawnSync("img2webp", ["-version"]).error) throw new Error("img2webp not found; install the package webp");
 
-const bench = await open({ virtual: true, webgl: true, viewport: SIZE, options: { deviceScaleFactor: 1, colorScheme: "light" } });
+const name = process.argv[2] ?? "first-minutes";
+if (!(name in FILMS)) throw new Error(`no film named ${name}; available: ${Object.keys(FILMS).join(", ")}`);
+const FILM = fileURLToPath(new URL(`../../docs/pictures/${name}.webp`, import.meta.url));
+const [prepare, story, PARTS] = FILMS[name];
+const bench = await prepare({ webgl: true, viewport: SIZE, options: { deviceScaleFactor: 1, colorScheme: "light" } });
 const { page } = bench;
 
 /** A pointer and a line of text over the page, for those who look on. */
@@ -58,7 +73,7 @@ const ends = [];
 let part = 0;
 await say(PARTS[part][1]);
 await cast.send("Page.startScreencast", { format: "jpeg", quality: 92, maxWidth: SIZE.width, maxHeight: SIZE.height, everyNthFrame: 2 });
-await tell(new Hand(page, { glide_ms: 450, look_ms: 600 }), async () => {
+await story(new Hand(page, { glide_ms: 450, look_ms: 600 }), bench, async () => {
   ends.push(Date.now() / 1000);
   part += 1;
   await say(PARTS[part][1]);

@@ -5,10 +5,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, afterEach, before, test } from "node:test";
 import { open, rest, takeControl } from "./bench.mjs";
-import { readPhoto, renderPhotos, writeVideo } from "./photos.mjs";
-import { inPicture, viewOf } from "../files/vision/geometry.js";
-import { createDetector } from "../files/vision/look.js";
-import { brightness } from "../files/vision/picture.js";
+import { readPhoto, renderPhotos, viewIn, writeVideo } from "./photos.mjs";
+import { inPicture } from "../files/vision/geometry.js";
 
 /** The height of the wrist with the cup on the paper. */
 const PAPER_MM = -60;
@@ -21,9 +19,8 @@ before(async () => {
   const video = join(folder, "camera.y4m");
   const still = renderPhotos(folder, "still", 3);
   writeVideo(video, still);
-  const photo = readPhoto(still[0]);
-  truth = photo.truth;
-  view = viewOf(createDetector()(photo.picture, brightness(photo.picture)), truth.sheet, [640, 480]);
+  ({ truth } = readPhoto(still[0]));
+  view = viewIn(still[0]);
   bench = await open({
     browserArgs: ["--use-fake-ui-for-media-stream", "--use-fake-device-for-media-stream", `--use-file-for-fake-video-capture=${video}`],
     scripts: ["window.asked = 0; const { mediaDevices } = navigator; const ask = mediaDevices.getUserMedia.bind(mediaDevices); mediaDevices.getUserMedia = (wish) => { window.asked += 1; return ask(wish); };"],
@@ -123,7 +120,7 @@ test("a program that asks where a marker is gets the answer only after a person 
   assert.ok(Math.abs(packet.floats[4] - (PAPER_MM + CUBE_MM)) < 0.1);
   assert.ok(Math.hypot(packet.floats[2] - cube.x_mm, packet.floats[3] - cube.y_mm) < 1);
   const notices = await bench.ask("api/v1/notices").then((all) => all.notices ?? all);
-  assert.ok(notices.some(({ type, text }) => type === "job_answered" && text.includes("camera: x ")), JSON.stringify(notices.slice(-5)));
+  assert.ok(notices.some(({ type, text }) => type === "job_answered" && /camera: x \d+\.\d y \d+\.\d z -\d+\.\d$/.test(text)), JSON.stringify(notices.slice(-5)));
   await page.waitForFunction(() => document.querySelector("#look-status")?.dataset.tone === "good");
   await page.click("#look-answers");
 });

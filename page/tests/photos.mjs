@@ -1,7 +1,11 @@
 // Rendered photos for tests: the same for the same arguments.
-import { execFileSync } from "node:child_process";
-import { readFileSync, writeFileSync } from "node:fs";
+import { execFile, execFileSync } from "node:child_process";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
+import { promisify } from "node:util";
+import { viewOf } from "../files/vision/geometry.js";
+import { createDetector } from "../files/vision/look.js";
+import { brightness } from "../files/vision/picture.js";
 
 /** The program that renders them, built with the other examples. */
 const PROGRAM = process.env.PHOTOS ?? join(dirname(process.env.DOBOT ?? ""), "examples", "photos");
@@ -10,6 +14,20 @@ const PROGRAM = process.env.PHOTOS ?? join(dirname(process.env.DOBOT ?? ""), "ex
 export function renderPhotos(folder, set, count, size = "640x480") {
   execFileSync(PROGRAM, [folder, set, String(count), size]);
   return Array.from({ length: count }, (_, n) => join(folder, `${set}-${String(n).padStart(3, "0")}`));
+}
+
+/** Takes a photo of a world, a state of `GET /api/v1/world`; returns its path without extension. The page's connection passes through this process: it must not wait. */
+export async function photographWorld(folder, world) {
+  const rendered = promisify(execFile)(PROGRAM, [folder, "world", "1"]);
+  rendered.child.stdin.end(JSON.stringify(world));
+  await rendered;
+  return join(folder, "world-000");
+}
+
+/** How a photo shows the sheet. */
+export function viewIn(path) {
+  const { picture, truth } = readPhoto(path);
+  return viewOf(createDetector()(picture, brightness(picture)), truth.sheet, [picture.width, picture.height]);
 }
 
 /** A photo as a picture of four bytes a pixel, and what is true. */
@@ -42,7 +60,8 @@ export function writeVideo(file, paths) {
   const frames = paths.map(readPixels), [{ width, height }] = frames;
   const parts = [Buffer.from(`YUV4MPEG2 W${width} H${height} F10:1 Ip A1:1 C420mpeg2\n`)];
   for (const { rgb } of frames) parts.push(Buffer.from("FRAME\n"), planes(rgb, width, height));
-  writeFileSync(file, Buffer.concat(parts));
+  // Over an older one in place: a browser may be playing it.
+  writeFileSync(file, Buffer.concat(parts), { flag: existsSync(file) ? "r+" : "w" });
 }
 
 /** Brightness, and two colours at half the resolution. */

@@ -50,6 +50,17 @@ export class Hand {
     await this.look(0.4);
   }
 
+  /** Clicks where a share of something's width and height is. */
+  async clickAt(selector, [across, down]) {
+    const target = this.page.locator(selector);
+    await target.scrollIntoViewIfNeeded();
+    const { x, y, width, height } = await target.boundingBox();
+    await this.glide([x + across * width, y + down * height]);
+    await this.page.mouse.down();
+    await this.page.mouse.up();
+    await this.look(0.4);
+  }
+
   /** Holds the button down until something has come about. */
   async hold(selector, until) {
     await this.to(selector);

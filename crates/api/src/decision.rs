@@ -207,7 +207,7 @@ impl fmt::Display for Answer {
                 if let Some(sense) = sense {
                     write!(f, "{sense}: ")?;
                 }
-                write!(f, "x {x_mm} y {y_mm} z {z_mm}")
+                write!(f, "x {x_mm:.1} y {y_mm:.1} z {z_mm:.1}")
             }
             Self::Skip => f.write_str("skip"),
             Self::NextCycle => f.write_str("next cycle"),

@@ -101,14 +101,8 @@ fn limits_check_at(bencher: Bencher) {
 fn status_agrees(bencher: Bencher) {
     let statuses = spread(|joints| {
         let Pose { position, rotation } = forward(&joints, TOOL);
-        let Joints {
-            base,
-            rear,
-            fore,
-            servo,
-        } = joints;
         let position_mm = [position.x.0, position.y.0, position.z.0];
-        (position_mm, rotation.0, [base.0, rear.0, fore.0, servo.0])
+        (position_mm, rotation.0, joints.angles_deg())
     });
     each(bencher, &statuses, |status| {
         agrees(status.0, status.1, status.2)

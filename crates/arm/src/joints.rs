@@ -30,6 +30,12 @@ impl Joints {
         }
     }
 
+    /// The four angles in degrees: base, rear arm, forearm and servo.
+    #[must_use]
+    pub const fn angles_deg(&self) -> [f64; 4] {
+        [self.base.0, self.rear.0, self.fore.0, self.servo.0]
+    }
+
     /// The angles after this share of the way to others, on which all turn evenly.
     #[must_use]
     pub fn towards(&self, to: &Self, share: f64) -> Self {
@@ -40,5 +46,18 @@ impl Joints {
             fore: between(self.fore, to.fore),
             servo: between(self.servo, to.servo),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_have_the_order_of_the_joints() {
+        assert_eq!(
+            Joints::new(1.0, 2.0, 3.0, 4.0).angles_deg(),
+            [1.0, 2.0, 3.0, 4.0]
+        );
     }
 }

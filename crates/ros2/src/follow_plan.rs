@@ -83,13 +83,7 @@ fn bow_deg(model: &Model, path: &Wanted, from: usize, to: usize) -> f64 {
     };
     let corners = trajectory.corners();
     corners.fold(0.0, |most: f64, (place, _)| {
-        let Joints {
-            base,
-            rear,
-            fore,
-            servo,
-        } = place.joints;
-        let at = [base.0, rear.0, fore.0, servo.0];
+        let at = place.joints.angles_deg();
         most.max(distance_from_chord(at, piece.from_deg, piece.to_deg))
     })
 }

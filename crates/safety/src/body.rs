@@ -1,6 +1,6 @@
 //! The arm's parts at one position, and the quantities that the rules measure.
 
-use dobot_arm::{Calibration, FOREARM, Joints, REAR_ARM, Tool};
+use dobot_arm::{Calibration, FOREARM, REAR_ARM, Tool};
 use dobot_motion::ArmPlace;
 
 use crate::distance::distance;
@@ -119,19 +119,14 @@ impl Measure {
 
 /// Returns all measures at a calibrated position, in the order of [`Measure`].
 pub(crate) fn measures(place: &ArmPlace, arm: &Calibration) -> [f64; MEASURES] {
-    let Joints {
+    let [base, rear, fore, servo] = place.joints.angles_deg();
+    let position = place.pose.position;
+    [
         base,
         rear,
         fore,
         servo,
-    } = place.joints;
-    let position = place.pose.position;
-    [
-        base.0,
-        rear.0,
-        fore.0,
-        servo.0,
-        rear.0 - fore.0,
+        rear - fore,
         position.x.0,
         position.y.0,
         position.z.0,

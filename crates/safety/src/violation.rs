@@ -190,10 +190,9 @@ impl RejectedValue {
 
 impl Location {
     const fn of(point: &PathPoint) -> Self {
-        let joints = point.place.joints;
         Self {
             position_mm: position(point),
-            joints_deg: [joints.base.0, joints.rear.0, joints.fore.0, joints.servo.0],
+            joints_deg: point.place.joints.angles_deg(),
             along_mm: 0.0,
             after_s: None,
         }

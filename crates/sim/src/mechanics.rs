@@ -53,7 +53,7 @@ impl Mechanics {
     /// Creates a machine at these angles, without faults.
     #[must_use]
     pub const fn new(joints: Joints) -> Self {
-        let angles = [joints.base.0, joints.rear.0, joints.fore.0, joints.servo.0];
+        let angles = joints.angles_deg();
         Self {
             tick: Duration::ZERO,
             from_deg: angles,

@@ -151,11 +151,10 @@ impl Snapshot {
     /// Takes a snapshot of a controller at the time of its last control tick.
     #[must_use]
     pub fn of(controller: &Controller, at: Duration) -> Self {
-        let joints = controller.joints_at(at);
         let position = controller.pose_at(at).position;
         Self {
             at,
-            joints_deg: [joints.base.0, joints.rear.0, joints.fore.0, joints.servo.0],
+            joints_deg: controller.joints_at(at).angles_deg(),
             tool_mm: [position.x.0, position.y.0, position.z.0],
             pump: controller.suction(),
             laser: controller.laser(),

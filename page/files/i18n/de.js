@@ -989,6 +989,8 @@ export const de = {
   "look.exact": "Auf etwa {mm} mm genau ({markers} Ecken). Klicke, wohin das Werkzeug soll.",
   "look.down": "Werkzeug absenken",
   "look.place": "Hier ablegen",
+  "look.surface": "Höhe der Fläche",
+  "look.surface.hint": "Höhe dessen, worauf du klickst, über dem Blatt, etwa eines Tabletts. Gib sie vor dem Klick ein.",
   "look.things": "Objekte",
   "look.things.none": "Keine. Klebe Marker auf Objekte (dobot markers) oder wähle eine Farbe.",
   "look.marker": "Marker {number}",

@@ -1029,6 +1029,8 @@ export const en = {
   "look.exact": "Accurate to about {mm} mm ({markers} corners). Click where the tool should go.",
   "look.down": "Lower the tool",
   "look.place": "Place here",
+  "look.surface": "Surface height",
+  "look.surface.hint": "Height above the sheet of what you click on, such as a tray. Enter it before you click.",
   "look.things": "Objects",
   "look.things.none": "None. Stick markers on objects (dobot markers), or choose a colour.",
   "look.marker": "Marker {number}",

@@ -1030,6 +1030,8 @@ export const zh = {
   "look.exact": "精度约 {mm} 毫米（{markers} 个角）。点击工具要去的位置。",
   "look.down": "降下工具",
   "look.place": "放在这里",
+  "look.surface": "表面高度",
+  "look.surface.hint": "所点击之处（如托盘）高出纸面的高度。请在点击前输入。",
   "look.things": "物体",
   "look.things.none": "没有。请在物体上贴标记（dobot markers），或选择颜色。",
   "look.marker": "标记 {number}",

@@ -39,15 +39,18 @@ export function look(context) {
 /** @param {Context} context */
 function picture(context) {
   const { page, t, act } = context;
-  const { seen, rate, spot, is_above, held } = page.look;
+  const { seen, rate, spot, is_above, held, surface_mm } = page.look;
   const [wide, high] = seen?.view?.size ?? [640, 480];
   const why = lookBlockedReason(page);
   const click = (/** @type {PointerEvent} */ event) => {
     const view = page.look.seen?.view;
     if (!view || why) return;
     const box = /** @type {Element} */ (event.currentTarget).getBoundingClientRect();
-    const [x_mm, y_mm] = onSheet(view, [((event.clientX - box.left) / box.width) * wide, ((event.clientY - box.top) / box.height) * high]);
+    const [x_mm, y_mm] = onSheet(view, [((event.clientX - box.left) / box.width) * wide, ((event.clientY - box.top) / box.height) * high], surface_mm);
     void act.look.above({ x_mm, y_mm });
+  };
+  const setSurface = (/** @type {HTMLInputElement} */ field) => {
+    if (field.value !== "" && field.checkValidity()) act.send({ type: "look_surface", surface_mm: field.valueAsNumber });
   };
   const at = spotInPicture(page.look);
   const moved = seen?.troubles.find((it) => it === "sheet_moved" || it === "camera_moved");
@@ -62,7 +65,9 @@ function picture(context) {
       </svg>
     </div>
     <p id="look-status" class="status" role="status" data-tone=${why ? "warn" : "good"}>${why ? t(why) : t("look.exact", { mm: (2 * (seen?.view?.typical_mm ?? 0)).toFixed(1), markers: seen?.view?.markers ?? 0 })} ${notes(context)}</p>
-    <div class="row">
+    <div class="row look-choices">
+      <label class="field" title=${t("look.surface.hint")}><span>${t("look.surface")} <small>mm</small></span><input id="look-surface" type="number" min="0" max="150" step="any" .value=${unlessFocused(String(surface_mm))}
+        @change=${(/** @type {Event} */ event) => setSurface(/** @type {HTMLInputElement} */ (event.target))}></label>
       ${moved ? html`<button id="look-settled" type="button" @click=${() => act.look.settled()}>${t(`look.settled.${moved}`)}</button>` : nothing}
       <button id="look-down" type="button" ?disabled=${why !== null || !is_above || !spot} @click=${() => act.look.down()}>${t("look.down")}</button>
       <button id="look-place" type="button" ?disabled=${why !== null || !spot || !held} @click=${() => act.look.place()}>${t("look.place")}</button>

@@ -28,6 +28,7 @@ export const HUES = /** @type {const} */ ({ red: 0, yellow: 55, green: 130, blue
  * @property {number} rate Pictures a second.
  * @property {Readonly<Record<string, number>>} heights The heights of objects by name, in mm.
  * @property {string | null} selected The name of the selected object.
+ * @property {number} surface_mm The height above the sheet of what a person clicks on, such as a tray.
  * @property {{ x_mm: number, y_mm: number } | null} spot Where a person clicked.
  * @property {boolean} is_above Whether the tool was sent above the spot.
  * @property {string | null} held The object that was picked up.
@@ -35,12 +36,13 @@ export const HUES = /** @type {const} */ ({ red: 0, yellow: 55, green: 130, blue
  */
 
 /** @type {Look} */
-export const NO_LOOK = { camera: "off", refused: null, cameras: [], chosen: "", hue: "", seen: null, rate: 0, heights: {}, selected: null, spot: null, is_above: false, held: null, answers: false };
+export const NO_LOOK = { camera: "off", refused: null, cameras: [], chosen: "", hue: "", seen: null, rate: 0, heights: {}, selected: null, surface_mm: 0, spot: null, is_above: false, held: null, answers: false };
 
 /** @typedef {{ type: "look_camera", camera: Look["camera"], refused?: string | null }
  * | { type: "look_cameras", cameras: Look["cameras"] }
  * | { type: "look_seen", seen: Seen, rate: number }
  * | { type: "look_set", set: Partial<Pick<Look, "chosen" | "hue" | "selected" | "spot" | "is_above" | "held" | "answers">> }
+ * | { type: "look_surface", surface_mm: number }
  * | { type: "look_height", name: string, height_mm: number }} LookMessage */
 
 /** @param {Look} look @param {import("./message.js").Message} message @returns {Look} */
@@ -54,6 +56,9 @@ export function reduceLook(look, message) {
       return look.camera === "on" ? { ...look, seen: message.seen, rate: message.rate } : look;
     case "look_set":
       return { ...look, ...message.set };
+    case "look_surface":
+      // At another height the pixel that was clicked shows another place.
+      return { ...look, surface_mm: message.surface_mm, spot: null, is_above: false };
     case "look_height":
       return { ...look, heights: { ...look.heights, [message.name]: message.height_mm } };
     default:
@@ -93,7 +98,7 @@ export function paperHeight(page, { x_mm, y_mm }) {
 }
 
 /** The pixel of the spot. @param {Look} look */
-export const spotInPicture = ({ seen, spot }) => (seen?.view && spot ? inPicture(seen.view, [spot.x_mm, spot.y_mm]) : null);
+export const spotInPicture = ({ seen, spot, surface_mm }) => (seen?.view && spot ? inPicture(seen.view, [spot.x_mm, spot.y_mm], surface_mm) : null);
 
 /** Why the arm cannot be sent where the camera looks: a text key. @param {Page} page */
 export function lookBlockedReason(page) {

@@ -1,8 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { NO_LOOK, askedThing, lookBlockedReason, reduceLook, thingsOf } from "./look.js";
-import { homography } from "../vision/geometry.js";
+import { NO_LOOK, askedThing, lookBlockedReason, reduceLook, spotInPicture, thingsOf } from "./look.js";
+import { homography, onSheet } from "../vision/geometry.js";
 
 /** A camera straight above, 400 mm high: a pixel is a millimetre. */
 const view = () => {
@@ -24,6 +24,20 @@ test("objects are the markers that are not the sheet's, at their heights", () =>
   // 40 mm nearer to a camera 400 mm away, it is a tenth closer to below the camera.
   const [high] = thingsOf(looks(seen(), { "marker 7": 40 }));
   assert.ok(Math.abs(high.x_mm - 182) < 0.01 && Math.abs(high.y_mm - 72) < 0.01);
+});
+
+test("what a person clicks is drawn where it was clicked, at any height of the surface", () => {
+  for (const surface_mm of [0, 6, 40]) {
+    const [x_mm, y_mm] = onSheet(view(), [230, 250], surface_mm);
+    const [u, v] = spotInPicture({ ...looks(seen()), surface_mm, spot: { x_mm, y_mm } });
+    assert.ok(Math.hypot(u - 230, v - 250) < 1e-6, `${surface_mm} mm: ${u}, ${v}`);
+  }
+});
+
+test("another height of the surface needs another click", () => {
+  const clicked = { ...looks(seen()), spot: { x_mm: 200, y_mm: 0 }, is_above: true };
+  const { surface_mm, spot, is_above } = reduceLook(clicked, { type: "look_surface", surface_mm: 6 });
+  assert.deepEqual([surface_mm, spot, is_above], [6, null, false]);
 });
 
 test("the height of a marker follows from its size, if it is as large as printed", () => {

@@ -15,6 +15,8 @@ const BETWEEN_MS = 66;
 const STEADY = 3, STEADY_MM = 1;
 /** How far over an object the tool comes and goes, in mm. */
 const APPROACH_MM = 30;
+/** How long the cup takes to grip and to release. */
+const SETTLE_S = 0.3;
 const HEIGHTS = "dobot.heights";
 
 /** @param {Store} store @param {import("./http.js").Http} http @param {import("./socket.js").Socket} socket @param {import("./jobs.js").JobRequests} jobs */
@@ -143,15 +145,16 @@ export function createLook(store, http, socket, jobs) {
     return !problem;
   }
 
-  /** Runs one step as a job whose title names the camera. @param {string} title @param {"pick" | "place"} key @param {{ x_mm: number, y_mm: number, turn_deg?: number }} place @param {number} height_mm */
-  async function transfer(title, key, place, height_mm) {
-    const paper_mm = paperHeight(store.page, place);
-    if (paper_mm === null) return false;
+  /** Grips or releases at a place, from above, as a job whose title names the camera. What is placed is held until it is there. @param {string} title @param {boolean} picks @param {{ x_mm: number, y_mm: number, turn_deg?: number }} place @param {number} height_mm */
+  async function transfer(title, picks, { x_mm, y_mm, turn_deg = 0 }, height_mm) {
+    const arm = store.page.station?.arm;
+    const paper_mm = paperHeight(store.page, { x_mm, y_mm });
+    if (!arm || paper_mm === null) return false;
     socket.takeControlIfFree();
-    const z = paper_mm + height_mm;
-    const at = `x = ${place.x_mm.toFixed(2)}, y = ${place.y_mm.toFixed(2)}, z = ${z.toFixed(2)}${place.turn_deg === undefined ? "" : `, rotation = ${place.turn_deg.toFixed(1)}`}`;
-    const text = `title = ${JSON.stringify(title)}\n[[steps]]\n${key} = { ${at} }\napproach = ${APPROACH_MM}\n`;
-    const { job, problem } = await jobs.run("api/v1/programs/jobs", { program: { text, files: {} }, from_step: 1, times: null });
+    const go = (/** @type {number} */ above_mm, /** @type {"movj" | "movl"} */ mode, /** @type {boolean} */ suction, pause_s = 0) =>
+      ({ type: "move_to", x_mm, y_mm, z_mm: paper_mm + height_mm + above_mm, rotation_deg: turn_deg, mode, suction, gripper_deg: arm.gripper_deg, pause_s });
+    const commands = [go(APPROACH_MM, "movj", !picks), go(0, "movl", picks, SETTLE_S), go(APPROACH_MM, "movl", picks)];
+    const { job, problem } = await jobs.run("api/v1/jobs", { title, kind: "program", commands });
     if (problem) send({ type: "problem", problem });
     return job !== undefined;
   }
@@ -163,27 +166,27 @@ export function createLook(store, http, socket, jobs) {
     /** Moves above a place of the picture. @param {{ x_mm: number, y_mm: number }} spot */
     async above(spot) {
       send({ type: "look_set", set: { spot, selected: null, is_above: false } });
-      if (await move(spot, ABOVE_MM + heldHeight(store.page.look), "movj")) send({ type: "look_set", set: { is_above: true } });
+      if (await move(spot, ABOVE_MM + heightThere(store.page.look), "movj")) send({ type: "look_set", set: { is_above: true } });
     },
     /** Lowers the tool to the spot. */
     async down() {
       const { spot } = store.page.look;
-      if (spot && (await move(spot, heldHeight(store.page.look), "movl"))) send({ type: "look_set", set: { is_above: false } });
+      if (spot && (await move(spot, heightThere(store.page.look), "movl"))) send({ type: "look_set", set: { is_above: false } });
     },
     /** @param {string} name */
     async pick(name) {
       const thing = thingsOf(store.page.look).find((it) => it.name === name);
       if (!thing || thing.height_mm === null || lookBlockedReason(store.page)) return;
-      if (await transfer(`camera: pick up ${name}`, "pick", thing, thing.height_mm)) send({ type: "look_set", set: { held: name, selected: null } });
+      if (await transfer(`camera: pick up ${name}`, true, thing, thing.height_mm)) send({ type: "look_set", set: { held: name, selected: null } });
     },
     /** Puts what is held down at the spot. */
     async place() {
       const { spot, held } = store.page.look;
       if (!spot || !held || lookBlockedReason(store.page)) return;
-      if (await transfer(`camera: put ${held} down`, "place", spot, heldHeight(store.page.look))) send({ type: "look_set", set: { held: null, is_above: false } });
+      if (await transfer(`camera: put ${held} down`, false, spot, heightThere(store.page.look))) send({ type: "look_set", set: { held: null, is_above: false } });
     },
   };
 }
 
-/** How far the held object reaches below the tool. @param {import("../state/look.js").Look} look */
-const heldHeight = ({ held, heights }) => (held ? (heights[held] ?? 0) : 0);
+/** How far above the paper the tool is when it, or the object that it holds, touches what was clicked. @param {import("../state/look.js").Look} look */
+const heightThere = ({ held, heights, surface_mm }) => surface_mm + (held ? (heights[held] ?? 0) : 0);

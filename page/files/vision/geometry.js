@@ -149,8 +149,11 @@ export function onSheet({ size, lens, toSheet, camera_mm }, pixel, height_mm = 0
   return [x + (camera_mm[0] - x) * up, y + (camera_mm[1] - y) * up];
 }
 
-/** The pixel of a place on the sheet. @param {SheetView} view @param {Pair} place_mm @returns {Pair} */
-export const inPicture = ({ size, lens, toPixels }, place_mm) => bent(size, lens, project(toPixels, inUnits(place_mm)));
+/** The pixel of a place at a height above the sheet. @param {SheetView} view @param {Pair} place_mm @param {number} [height_mm] @returns {Pair} */
+export function inPicture({ size, lens, toPixels, camera_mm }, [x, y], height_mm = 0) {
+  const up = height_mm / camera_mm[2];
+  return bent(size, lens, project(toPixels, inUnits([(x - camera_mm[0] * up) / (1 - up), (y - camera_mm[1] * up) / (1 - up)])));
+}
 
 /** The place of a marker whose surface is this high. @param {SheetView} view @param {Found} marker @param {number} height_mm @returns {Place} */
 export function placeOfMarker(view, { corners }, height_mm) {

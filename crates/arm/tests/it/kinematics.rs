@@ -13,7 +13,7 @@ proptest! {
     fn inverse_undoes_forward_over_the_whole_workspace((joints, tool) in workspace()) {
         let pose = forward(&joints, tool);
         let again = inverse(&pose, tool).expect("the workspace is within reach");
-        for (got, expected) in angles(&again).into_iter().zip(angles(&joints)) {
+        for (got, expected) in again.angles_deg().into_iter().zip(joints.angles_deg()) {
             // 1e-9 mm at the farthest reach of 321 mm is 1.8e-10 degrees.
             prop_assert!((got - expected).abs() < 1.7e-10, "got {got}, expected {expected}");
         }
@@ -81,7 +81,7 @@ proptest! {
     ) {
         let Pose { position, rotation } = forward(&joints, tool);
         let mut reported = [position.x.0, position.y.0, position.z.0, rotation.0, 0.0, 0.0, 0.0, 0.0];
-        reported[4..].copy_from_slice(&angles(&joints));
+        reported[4..].copy_from_slice(&joints.angles_deg());
         let judge = |reported: [f64; 8]| {
             agrees([reported[0], reported[1], reported[2]], reported[3], [reported[4], reported[5], reported[6], reported[7]])
         };
@@ -112,7 +112,7 @@ fn a_right_angle_at_the_elbow_is_found_back() {
         rotation: Degrees(-60.0),
     };
     let joints = inverse(&pose, Tool::Laser).expect("it is within reach");
-    for (got, expected) in angles(&joints).into_iter().zip([-90.0, 0.0, 0.0, 30.0]) {
+    for (got, expected) in joints.angles_deg().into_iter().zip([-90.0, 0.0, 0.0, 30.0]) {
         assert!(
             (got - expected).abs() < 1e-12,
             "got {got}, expected {expected}"
@@ -304,10 +304,6 @@ fn tools() -> impl Strategy<Value = Tool> {
         Just(Tool::Gripper),
         Just(Tool::Laser)
     ]
-}
-
-fn angles(joints: &Joints) -> [f64; 4] {
-    [joints.base.0, joints.rear.0, joints.fore.0, joints.servo.0]
 }
 
 fn assert_near(got: Position, expected: Position) {

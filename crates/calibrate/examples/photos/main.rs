@@ -3,7 +3,8 @@
 //! Renders photos of a calibration sheet with objects or with the crosses that an arm drew, as a
 //! camera sees them: tilted, distorted, blurred, noisy. Each photo is a PPM file, beside a JSON file
 //! with what is true. The same arguments give the same photos. The tests of the page and of the
-//! Python package use them.
+//! Python package use them. The set `world` shows the objects of a virtual arm's world, whose state
+//! (`GET /api/v1/world`) is read from stdin; objects named `marker 7` carry that marker.
 
 #![expect(
     clippy::cast_possible_truncation,
@@ -20,8 +21,8 @@ mod camera;
 mod scene;
 
 use std::error::Error;
-use std::fs;
 use std::path::Path;
+use std::{fs, io};
 
 use dobot_geometry::Random;
 use serde_json::{Value, json};
@@ -92,23 +93,34 @@ fn photo(set: &str, seed: u64, size: [usize; 2]) -> Result<(Vec<u8>, Value), Box
                 .map(|(raw, at)| json!({"raw_mm": raw, "at_mm": at}))
                 .collect();
         }
+        "world" => {
+            (camera, film) = standing(size, seed);
+            let world: Value = serde_json::from_reader(io::stdin())?;
+            scene.objects = scene::objects_of(&world).ok_or("stdin is not the state of a world")?;
+        }
         // A camera that stands still, and the same cube each time: the number of the photo is that of
         // a frame. In the second set the sheet lies 8 mm ahead and 5 mm to the left.
         "still" | "shifted" => {
-            let mut once = Random::sequence(49, 7);
-            camera = Camera::random(size, &mut once);
-            film = Film::random(&mut once);
-            film.seed = seed;
+            (camera, film) = standing(size, seed);
             scene.objects = vec![Object::cube(7, [215.0, 60.0], 30.0)];
             if set == "shifted" {
                 scene.sheet_at = [8.0, 5.0];
             }
         }
         _ => return Err(format!(
-            "the set is {set:?}; allowed: look, blurred, glare, covered, crosses, drawn, still, shifted"
+            "the set is {set:?}; allowed: look, blurred, glare, covered, crosses, drawn, still, shifted, world"
         )
         .into()),
     }
     truth["objects"] = scene.objects.iter().map(Object::json).collect();
     Ok((film.develop(&camera, &scene), truth))
+}
+
+/// A camera that stands still.
+fn standing(size: [usize; 2], seed: u64) -> (Camera, Film) {
+    let mut random = Random::sequence(49, 7);
+    let camera = Camera::random(size, &mut random);
+    let mut film = Film::random(&mut random);
+    film.seed = seed;
+    (camera, film)
 }

@@ -20,8 +20,10 @@ pub(crate) struct Object {
     marker: Option<u16>,
     at: [f64; 2],
     turn_deg: f64,
+    bottom_mm: f64,
     height_mm: f64,
-    side_mm: f64,
+    /// Along X and Y before it is turned.
+    sides_mm: [f64; 2],
     color: [f64; 3],
 }
 
@@ -32,8 +34,9 @@ impl Object {
             marker: Some(marker),
             at,
             turn_deg,
+            bottom_mm: 0.0,
             height_mm: 25.0,
-            side_mm: 25.0,
+            sides_mm: [25.0; 2],
             color: WHITE,
         }
     }
@@ -45,7 +48,7 @@ impl Object {
         ];
         Self {
             height_mm: 30.0 * random.share(),
-            side_mm: 27.0,
+            sides_mm: [27.0; 2],
             ..Self::cube(marker, at, 360.0 * random.share() - 180.0)
         }
     }
@@ -67,13 +70,14 @@ impl Object {
         let into = |x: f64, y: f64| [x * cos + y * sin, y * cos - x * sin];
         let [x, y] = into(from[0] - self.at[0], from[1] - self.at[1]);
         let [dx, dy] = into(ray[0], ray[1]);
-        let half = self.side_mm / 2.0;
+        let [half_x, half_y] = self.sides_mm.map(|side| side / 2.0);
+        let top_mm = self.bottom_mm + self.height_mm;
         let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
         let mut is_top = false;
         for (axis, (start, step, low, high)) in [
-            (x, dx, -half, half),
-            (y, dy, -half, half),
-            (from[2], ray[2], 0.0, self.height_mm),
+            (x, dx, -half_x, half_x),
+            (y, dy, -half_y, half_y),
+            (from[2], ray[2], self.bottom_mm, top_mm),
         ]
         .into_iter()
         .enumerate()
@@ -106,10 +110,37 @@ impl Object {
         let is_on = (0.0..MARKER_MM).contains(&down) && (0.0..MARKER_MM).contains(&right);
         if is_on && !marker.is_white((down / cell) as u16, (right / cell) as u16) {
             BLACK
-        } else {
+        } else if x.abs().max(y.abs()) < LABEL_MM / 2.0 {
             WHITE
+        } else {
+            self.color
         }
     }
+}
+
+/// The boxes of a world that its arm does not hold.
+pub(crate) fn objects_of(world: &Value) -> Option<Vec<Object>> {
+    let held = world["held"].as_array()?;
+    let objects = world["objects"].as_array()?;
+    let free = objects.iter().filter(|it| !held.contains(&it["name"]));
+    free.map(box_of).collect()
+}
+
+fn box_of(object: &Value) -> Option<Object> {
+    let pair = |of: &Value| Some([of[0].as_f64()?, of[1].as_f64()?]);
+    let size_mm = &object["shape"]["size_mm"];
+    let marker = object["name"].as_str()?.strip_prefix("marker ");
+    let color = u32::from_str_radix(object["color"].as_str()?.strip_prefix('#')?, 16).ok()?;
+    let [_, red, green, blue] = color.to_be_bytes();
+    Some(Object {
+        marker: marker.and_then(|number| number.parse().ok()),
+        at: pair(&object["at_mm"])?,
+        turn_deg: object["turn_deg"].as_f64()?,
+        bottom_mm: object["bottom_mm"].as_f64()?,
+        height_mm: size_mm[2].as_f64()?,
+        sides_mm: pair(size_mm)?,
+        color: [red, green, blue].map(|part| f64::from(part) / 255.0),
+    })
 }
 
 impl Scene {
@@ -205,6 +236,8 @@ const SKIN: [f64; 3] = [0.75, 0.55, 0.45];
 const RED: [f64; 3] = [0.8, 0.1, 0.08];
 /// The side of an object's marker.
 const MARKER_MM: f64 = 20.0;
+/// The side of the white paper around it.
+const LABEL_MM: f64 = 26.0;
 /// The line of a pen.
 const PEN_MM: f64 = 0.6;
 /// The length of a line of a cross.

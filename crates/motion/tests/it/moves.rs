@@ -15,9 +15,9 @@ proptest! {
         let duration_s = movement.duration_s();
         prop_assert_eq!(movement.joints_at(duration_s), to);
         prop_assert_eq!(movement.joints_at(-1.0), from);
-        let [start, way] = [angles(&from), angles(&between(from, to))];
+        let [start, way] = [from.angles_deg(), between(from, to).angles_deg()];
         for t_s in samples(duration_s) {
-            let gone = angles(&between(from, movement.joints_at(t_s)));
+            let gone = between(from, movement.joints_at(t_s)).angles_deg();
             // All joints cover the same share: each cross product of two of them is zero.
             for n in 1..4 {
                 prop_assert!((gone[n] * way[0] - gone[0] * way[n]).abs() < 1e-9, "{start:?}");
@@ -36,7 +36,7 @@ proptest! {
             } else {
                 (speeds.servo_deg_s, speeds.servo_deg_s2)
             };
-            let angle = |t_s| [angles(&movement.joints_at(t_s))[n], 0.0, 0.0];
+            let angle = |t_s| [movement.joints_at(t_s).angles_deg()[n], 0.0, 0.0];
             stays_within(angle, movement.duration_s(), speed, acceleration)?;
         }
     }
@@ -44,7 +44,7 @@ proptest! {
     #[test]
     fn the_slowest_joint_sets_the_duration(from in joints(), to in joints(), speeds in speeds()) {
         let movement = JointMove::new(from, to, &speeds).expect("all numbers are in range");
-        let [base, rear, fore, servo] = angles(&between(from, to)).map(f64::abs);
+        let [base, rear, fore, servo] = between(from, to).angles_deg().map(f64::abs);
         let alone_s = [base, rear, fore]
             .map(|way| fastest_s(way, speeds.joint_deg_s, speeds.joint_deg_s2))
             .into_iter()
@@ -356,12 +356,8 @@ fn at_height(pose: Pose, z_mm: f64) -> Pose {
 }
 
 fn between(from: Joints, to: Joints) -> Joints {
-    let [a, b] = [angles(&from), angles(&to)];
+    let [a, b] = [from.angles_deg(), to.angles_deg()];
     Joints::new(b[0] - a[0], b[1] - a[1], b[2] - a[2], b[3] - a[3])
-}
-
-fn angles(joints: &Joints) -> [f64; 4] {
-    [joints.base.0, joints.rear.0, joints.fore.0, joints.servo.0]
 }
 
 fn coordinates(position: Position) -> [f64; 3] {

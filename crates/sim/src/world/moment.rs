@@ -20,15 +20,9 @@ pub(crate) struct ArmMoment {
 impl ArmMoment {
     /// Whether its angles are such that an arm can have them.
     pub(crate) fn is_somewhere(&self) -> bool {
-        let Joints {
-            base,
-            rear,
-            fore,
-            servo,
-        } = self.joints;
-        let gripper_deg = self.actuators.gripper_deg;
-        [base.0, rear.0, fore.0, servo.0, gripper_deg]
-            .iter()
+        let angles = self.joints.angles_deg().into_iter();
+        angles
+            .chain([self.actuators.gripper_deg])
             .all(|angle| angle.abs() <= MAX_DEG)
     }
 

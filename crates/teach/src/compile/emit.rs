@@ -18,9 +18,7 @@ pub(super) fn target(spot: &Spot, mode: MovingMode, pause: Option<f64>, state: &
             mode,
             gripper_deg,
             pause_s,
-            ..MoveJoints::to(
-                [joints.base.0, joints.rear.0, joints.fore.0, joints.servo.0].map(single),
-            )
+            ..MoveJoints::to(joints.angles_deg().map(single))
         }
         .into(),
         SpotKind::Wrist(pose) => {

@@ -356,12 +356,11 @@ fn parts<const N: usize>(from: [f64; N], to: [f64; N]) -> Vec<f64> {
 
 /// Motion that no button asked for, in words.
 fn unasked(doing: GuardedMotion, from: &Joints, to: &Joints) -> Option<String> {
-    let joints = |joints: &Joints| [joints.base.0, joints.rear.0, joints.fore.0, joints.servo.0];
     let point = |joints: &Joints| {
         let place = place(joints);
         [place.x.0, place.y.0, place.z.0]
     };
-    let turned = || parts(joints(from), joints(to));
+    let turned = || parts(from.angles_deg(), to.angles_deg());
     let (number, parts, most): (usize, Vec<f64>, f64) = match doing {
         GuardedMotion::Joint(axis) => (axis as usize - 1, turned(), 0.05),
         // The servo turns as in a joint jog.

@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use dobot_api::{ClientId, Jog, News, Request};
-use dobot_arm::Joints;
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_host::VirtualStation;
 use dobot_motion::{Button, JogAxis};
@@ -60,16 +59,11 @@ pub(crate) fn hold(station: &mut VirtualStation, client: ClientId, jog: Jog, ms:
 pub(crate) fn places(station: &mut VirtualStation) -> ([f64; 4], [f64; 3], f64) {
     station.run_for(Duration::from_secs(4));
     let arm = station.arm();
-    let Joints {
-        base,
-        rear,
-        fore,
-        servo,
-    } = arm.mechanics().joints_at(station.now());
+    let joints = arm.mechanics().joints_at(station.now());
     let at = arm.controller().pose_at(station.now()).position;
     let gripper_deg = station.supervisor().state().arm.unwrap().status.gripper_deg;
     (
-        [base.0, rear.0, fore.0, servo.0],
+        joints.angles_deg(),
         [at.x.0, at.y.0, at.z.0],
         gripper_deg.into(),
     )

@@ -98,22 +98,27 @@ fn a_spoken_order_moves_no_further_than_the_policy_allows() {
     }
 }
 
-#[test]
-fn each_sense_sends_only_its_own_command() {
-    let mut station = virtual_station(Personality::Specification);
-    let anna = station.client("Anna");
-    station.ask(anna, Request::TakeLease).unwrap();
+/// The command that each sense may send.
+fn own_commands() -> [(Sense, Command); 3] {
     let hand = Gesture {
         x: 220.0,
         y: 0.0,
         z: 40.0,
         grab: false,
     };
-    let commands: [(Sense, Command); 3] = [
+    [
         (Sense::Camera, go([220.0, 30.0, 10.0])),
         (Sense::Microphone, Voice::new("up five").unwrap().into()),
         (Sense::Hand, hand.into()),
-    ];
+    ]
+}
+
+#[test]
+fn each_sense_sends_only_its_own_command() {
+    let mut station = virtual_station(Personality::Specification);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
+    let commands = own_commands();
     let laser = WriteVector::by(0.0, 10.0, 0.0, 20.0).burning().into();
     for (sense, _) in commands {
         for (own, command) in commands.into_iter().chain([(Sense::Hand, laser)]) {
@@ -122,6 +127,55 @@ fn each_sense_sends_only_its_own_command() {
             assert_eq!(asked.is_ok(), is_allowed, "{sense}: {command:?}: {asked:?}");
             station.run_for(Duration::from_secs(5));
         }
+    }
+}
+
+/// Lets every sense try to move the arm and to say "go"; asserts that nothing is sent.
+fn nothing_is_sent_for_a_sense(station: &mut VirtualStation, client: ClientId) {
+    let sent = station.packets().len();
+    for (sense, command) in own_commands() {
+        let asked = station.ask(client, Request::SensedCommand { sense, command });
+        assert!(asked.is_err(), "{sense}: {asked:?}");
+    }
+    let heard = Heard::Go;
+    let client_heard = Some(client);
+    station
+        .ask(
+            client,
+            Request::Heard {
+                client: client_heard,
+                heard,
+            },
+        )
+        .unwrap();
+    station.run_for(Duration::from_secs(2));
+    assert_eq!(station.packets().len(), sent);
+}
+
+#[test]
+fn no_sense_clears_a_stop_confirms_a_pose_or_arms_the_laser() {
+    let mut station = virtual_station(Personality::Firmware11);
+    let anna = station.client("Anna");
+    station.ask(anna, Request::TakeLease).unwrap();
+    station.ask(anna, Request::Stop { reason: None }).unwrap();
+    // What a stop sends has been sent by then.
+    station.run_for(Duration::from_secs(3));
+    nothing_is_sent_for_a_sense(&mut station, anna);
+    assert!(station.supervisor().state().stop.is_some());
+    station.ask(anna, Request::ResetStop).unwrap();
+
+    station.distrust("its port was opened");
+    nothing_is_sent_for_a_sense(&mut station, anna);
+    assert!(!station.supervisor().state().trust.trusted);
+    station.ask(anna, Request::ConfirmPose).unwrap();
+
+    for (sense, command) in own_commands() {
+        station
+            .ask(anna, Request::SensedCommand { sense, command })
+            .unwrap();
+        station.run_for(Duration::from_secs(5));
+        let laser = station.supervisor().state().laser;
+        assert!(laser.armed_for_s == 0.0 && !laser.on, "{sense}: {laser:?}");
     }
 }
 
