@@ -51,10 +51,10 @@ readonly WIDE_STEPS=(
   "site         Build README and docs as a website, and check its links"
   "models       Load the arm's models with yourdfpy, MuJoCo, PyBullet, Drake and pinocchio, and compare the kinematics"
   "voice        Measure how well spoken orders are understood, with speech made by flite"
-  "hands        Look for hands in pictures with MediaPipe's models in a browser"
+  "hands        Look for hands in pictures with MediaPipe's models, in a browser and in Python"
   "eyes         Measure the accuracy of the camera with 60 photos, and of the calibration from one photo with 200 arms"
   "python-full  Run the tests of the parts of the Python package that need the feature full"
-  "recordings   Read recordings and tables with mcap, pandas and datasets, and live data with Foxglove's client"
+  "recordings   Read recordings and tables with mcap, pandas, datasets and Rerun, and live data with Foxglove's client"
   "icons        Compare drawings of icons and styles with Chromium's pictures"
   "fleet        Run a class in three networks, with eclipse-zenoh as a peer and the board in browsers"
   "ros2         Use an arm over ROS 2 with cyclonedds"
@@ -364,6 +364,9 @@ step_recordings() {
   mkdir "$folder"
   tests/foxglove/look_on.sh "$DOBOT" "$folder"
   tests/recordings/read.sh "$folder" scene.py
+  mkdir "$folder/copy"
+  "$DOBOT" log "$folder"/*.mcap --export protobuf -o "$folder/copy/scene.mcap"
+  python3 tests/recordings/protobuf.py "$folder"/*.mcap "$folder/copy/scene.mcap"
   rm -rf "$folder"
 }
 
@@ -435,17 +438,20 @@ step_voice() {
   rm -rf "$folder"
 }
 
-# The optional part that the page uses, and pictures of hands, from npm.
+# The optional part that the page uses, and pictures of hands, from npm; and the Python package's extra.
 step_hands() {
-  local folder
+  local folder package
   needs_packages ci
+  needs_packages hands "$VENV-hands"
   needs_browser
   build_all
   folder=$(mktemp -d)
   npm pack --silent --pack-destination "$folder" @mediapipe/hands@0.4.1675469240 fingerpose@0.1.0
   "$VENV/bin/python" tests/hands/video.py "$folder/fingerpose-0.1.0.tgz" "$folder/hands.y4m"
   HANDS=$folder/mediapipe-hands-0.4.1675469240.tgz HAND_VIDEO=$folder/hands.y4m node --test page/tests/follow_hand.test.mjs
-  rm -rf "$folder"
+  package=$(assembled_package)
+  PYTHONPATH=$package "$VENV-hands/bin/python" tests/hands/follow.py "$folder/hands.y4m"
+  rm -rf "$folder" "$package"
 }
 
 # More photos than the tests of the page and of the Python package use.
@@ -670,19 +676,19 @@ step_budget() {
     awk '!seen[$2]++ && n++ < 5 { printf "  %5.1f MB  %s\n", $1 / 1e6, $2 }'
 }
 
-# One virtual environment for all steps. The packages in tests/python/NAME.txt are installed the first time.
+# One virtual environment for all steps, or the one named. The packages in tests/python/NAME.txt are installed the first time.
 needs_packages() {
-  local list=tests/python/$1.txt
+  local list=tests/python/$1.txt venv=${2:-$VENV}
   if [[ -n $INSTALLING ]]; then
     wait "$INSTALLING" || true
     INSTALLING=
   fi
   needs_venv
-  if ! cmp -s "$list" "$VENV/$1.txt"; then
-    [[ -x $VENV/bin/pip ]] || python3 -m venv "$VENV"
-    "$VENV/bin/pip" install --quiet --disable-pip-version-check --no-deps -r "$list"
+  if ! cmp -s "$list" "$venv/$1.txt"; then
+    [[ -x $venv/bin/pip ]] || python3 -m venv "$venv"
+    "$venv/bin/pip" install --quiet --disable-pip-version-check --no-deps -r "$list"
     # Written last: an interrupted installation is done again.
-    cp "$list" "$VENV/$1.txt"
+    cp "$list" "$venv/$1.txt"
   fi
 }
 

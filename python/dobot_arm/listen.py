@@ -19,15 +19,17 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import ExitStack
 
 from . import _core
-from .arm import Arm, connect
+from .arm import Arm
 from .errors import Closed, Error, Stopped
 from .hearing import RATE, Ear, Heard, Talk
+from .senses import add_arm_options, connect_both, is_station, release, stop
 from .stored import station_options
 
 _PIECE_BYTES = 3200
 """A tenth of a second."""
 _REPLY_S = 10.0
 """How long an order waits for "go"."""
+_STOP_REASON = 'the word "stop" was heard'
 _SILENT_FETCHES = 3
 """So many requests without audio end what a page was saying: it was closed."""
 
@@ -77,7 +79,7 @@ class Listener:
     def _stop(self) -> None:
         if self._motion is not None:
             self._motion.cancel()
-        stop(self._shown)
+        stop(self._shown, _STOP_REASON)
         if self._order:
             self._forget(f"{self._order}: forgotten")
 
@@ -91,22 +93,7 @@ class Listener:
             print(f"{order}: {error}", flush=True)
         finally:
             # Others may move the arm between two orders.
-            self._release()
-
-    def _release(self) -> None:
-        try:
-            self._arm.release_control()
-        except Error:
-            pass  # Somebody else has taken it.
-
-
-def stop(arm: Arm) -> None:
-    """Stops the arm because the word was heard, and says whether that was possible."""
-    try:
-        arm.stop("the word \"stop\" was heard")
-        print("stop", flush=True)
-    except Error as error:
-        print(f"stop: {error}", flush=True)
+            release(self._arm)
 
 
 class TalkListener:
@@ -129,7 +116,7 @@ class TalkListener:
                 continue
             self._client = client
             if pcm and self._talk.hear(pcm):
-                stop(self._shown)
+                stop(self._shown, _STOP_REASON)
                 self._shown.report_heard("stop", client=client)
             elif not pcm:
                 self._end(client)
@@ -197,9 +184,7 @@ def _wave(path: str) -> Iterator[bytes]:
 
 def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m dobot_arm.listen", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--to", default="station", help="station (default), http://HOST:PORT, or an arm's address")
-    parser.add_argument("--token", help="access token of a station; default: DOBOT_TOKEN, then that of this user's station")
-    parser.add_argument("--fingerprint", help="SHA-256 digest of the certificate of a station at https://")
+    add_arm_options(parser)
     source = parser.add_mutually_exclusive_group()
     source.add_argument("--microphone", help="the microphone to use, by number or name")
     source.add_argument("--wav", metavar="FILE", help="hear a recording instead of a microphone")
@@ -207,21 +192,15 @@ def _arguments() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def _connected(to: str, name: str, arguments: argparse.Namespace) -> Arm:
-    return connect(to, name=name, token=arguments.token, fingerprint=arguments.fingerprint)
-
-
 def _run(arguments: argparse.Namespace) -> None:
-    is_station = arguments.to == "station" or arguments.to.startswith(("http://", "https://"))
-    if arguments.pages_only and not is_station:
+    if arguments.pages_only and not is_station(arguments.to):
         raise Error(f"pages belong to a station; {arguments.to} is an arm")
     ends = threading.Event()
     with ExitStack() as open_until_end:
-        shown = open_until_end.enter_context(_connected(arguments.to, "listener", arguments))
-        arm = open_until_end.enter_context(_connected(arguments.to, "microphone", arguments)) if is_station else shown
+        arm, shown = connect_both(arguments, "microphone", "listener", open_until_end)
         open_until_end.callback(ends.set)
         pages = None
-        if is_station:
+        if is_station(arguments.to):
             audio = _core.TalkAudio(arguments.to, station_options(arguments.token, arguments.fingerprint, None))
             pages = threading.Thread(target=_talk, args=(audio, TalkListener(shown), ends), daemon=True)
             pages.start()

@@ -379,16 +379,16 @@ class Connection:
 
     @operation
     def hand(
-        self, x: float, y: float, z: float, *, grab: bool | None = None
+        self, x: float, y: float, z: float, *, grab: bool | None = None, seen: bool = False
     ) -> Operation[Status]:
         """Moves to the position of a hand, as with a hand tracker (state 8), and waits until the arm is at rest.
 
         With the dialect ``specification`` the position is a point in mm. With ``firmware-1.1`` it is in units of the
         hand tracker, one call moves the arm only part of the way, and the joint speeds of :meth:`set_moves` are
         lost, as ``dobot hand --help`` explains. ``grab`` is a closed hand: the pump runs. Omitted, it does not
-        change.
+        change. ``seen`` marks the hand as seen by a camera; its position is then in mm with every dialect.
         """
-        return Operation(self._core.hand((x, y, z), grab), _status)
+        return Operation(self._core.hand((x, y, z), grab, seen), _status)
 
     @operation
     def vector(

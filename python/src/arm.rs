@@ -3,10 +3,11 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use dobot_api::{Button, ClientId, EpisodeMark, Heard, Request, Sense};
+use dobot_api::{Button, ClientId, EpisodeMark, Heard, Request, Sense, State};
 use dobot_arm::Tool;
 use dobot_controller::PowerUp;
 use dobot_host::{PathName, Target, TargetPlace, voice_command};
+use dobot_motion::{HandAxis, HandScale};
 use dobot_sim::VirtualArm;
 use dobot_teach::Times;
 use dobot_wire::{
@@ -157,7 +158,7 @@ impl Core {
 
     /// Turns the gripper at the current position.
     fn gripper(&self, gripper_deg: f32) -> Pending {
-        let command = move |from: &Status, _| {
+        let command = move |from: &Status, _: &State| {
             let target = Target {
                 place: TargetPlace::Joints([from.base_deg, from.rear_deg, from.fore_deg]),
                 servo_deg: None,
@@ -183,8 +184,8 @@ impl Core {
     /// Moves by a small distance, as with a mouse; omitted values do not change.
     fn mouse(&self, by: [f32; 3], rotation_deg: Option<f32>, suction: Option<bool>) -> Pending {
         let [x, y, z] = by;
-        let command = move |from: &Status, dialect| {
-            let kept_deg = MouseMove::kept_rotation_deg(from, dialect);
+        let command = move |from: &Status, state: &State| {
+            let kept_deg = MouseMove::kept_rotation_deg(from, state.dialect);
             MouseMove {
                 y,
                 x,
@@ -201,7 +202,7 @@ impl Core {
     fn say(&self, text: &str, spoken: bool) -> PyResult<Pending> {
         let voice = voice_command(text).map_err(|error| value_error(&error))?;
         let sense = spoken.then_some(Sense::Microphone);
-        let command = Box::new(move |_: &Status, _| voice.into());
+        let command = Box::new(move |_: &Status, _: &State| voice.into());
         Ok(self.begin(Operation::CarryOut(command, sense)))
     }
 
@@ -212,14 +213,20 @@ impl Core {
         Ok(self.begin(Operation::Plain(Request::Heard { client, heard })))
     }
 
-    /// Moves to the position of a hand; without `grab` the pump stays as it is.
-    fn hand(&self, place: [f32; 3], grab: Option<bool>) -> Pending {
-        let [x, y, z] = place;
-        let command = move |from: &Status, _| {
+    /// Moves to the position of a hand; without `grab` the pump stays as it is. With `seen` a camera
+    /// has seen the hand, and the position is in mm.
+    fn hand(&self, place: [f32; 3], grab: Option<bool>, seen: bool) -> Pending {
+        let command = move |from: &Status, state: &State| {
+            let [x, y, z] = if seen {
+                gesture_units(place, state)
+            } else {
+                place
+            };
             let grab = grab.unwrap_or(from.suction);
             Gesture { x, y, z, grab }.into()
         };
-        self.begin(Operation::CarryOut(Box::new(command), None))
+        let sense = seen.then_some(Sense::Hand);
+        self.begin(Operation::CarryOut(Box::new(command), sense))
     }
 
     /// Draws one straight line; `speeds_mm_s` are the maximum, at the start and at the end.
@@ -396,7 +403,7 @@ impl Core {
             pause_s,
             ..
         } = *how;
-        let command = move |from: &Status, _| {
+        let command = move |from: &Status, _: &State| {
             let (place, servo_deg) = place(from);
             let mode = if mode == MovingMode::MovL && is_here(&place, from) {
                 // A stock arm would lose its pose on a straight line of no length (note N34).
@@ -431,7 +438,7 @@ impl Core {
     /// Carries out a command that does not depend on the status.
     fn carry_out(&self, command: impl Into<Command>) -> Pending {
         let command = command.into();
-        let command = move |_: &Status, _: Option<Dialect>| command;
+        let command = move |_: &Status, _: &State| command;
         self.begin(Operation::CarryOut(Box::new(command), None))
     }
 
@@ -526,6 +533,23 @@ pub(crate) fn point_warning(mm: [f32; 3]) -> Option<String> {
 #[pyfunction]
 pub(crate) fn joints_warning(joints_deg: [f32; 3]) -> Option<String> {
     unit_warning(TargetPlace::Joints(joints_deg))
+}
+
+/// Converts a position in mm to the numbers of a gesture packet for the arm of a state.
+fn gesture_units([x_mm, y_mm, z_mm]: [f32; 3], state: &State) -> [f32; 3] {
+    let mounted = state.settings.iter().find_map(|command| match command {
+        Command::Configuration(Configuration::EndEffector { tool }) => Some(Tool::from(*tool)),
+        _ => None,
+    });
+    let dialect = state.dialect.unwrap_or(Dialect::SPECIFICATION);
+    let HandScale { x, y, z } = HandScale::of(&dialect, mounted.unwrap_or(Tool::SuctionCup));
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "the wire has single precision"
+    )]
+    let units =
+        |axis: HandAxis, mm: f32| ((f64::from(mm) - axis.zero_mm) * axis.units_per_mm) as f32;
+    [units(x, x_mm), units(y, y_mm), units(z, z_mm)]
 }
 
 fn unit_warning(place: TargetPlace) -> Option<String> {

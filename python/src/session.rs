@@ -148,7 +148,7 @@ impl Session {
             Operation::CarryOut(command, sense) => {
                 let state = self.client.first_state().await?;
                 let arm = state.arm.as_ref().ok_or(RemoteError::Silent)?;
-                let command = command(&arm.status, state.dialect);
+                let command = command(&arm.status, &state);
                 publish(&self.statuses, &state);
                 check(&command, state.dialect)?;
                 self.carry_out(command, sense).await?;

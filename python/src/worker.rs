@@ -11,7 +11,7 @@ use dobot_draw::DrawingRequest;
 use dobot_host::{LocalArm, StationClient};
 use dobot_safety::Policy;
 use dobot_sim::VirtualArm;
-use dobot_wire::{Command, Dialect, Status};
+use dobot_wire::{Command, Status};
 use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
 
 use crate::failure::{Failure, failed, lost};
@@ -69,8 +69,8 @@ pub(crate) enum Operation {
     Plain(Request),
 }
 
-/// Computes a command from the current status and the dialect, if that is known.
-pub(crate) type CommandFor = dyn FnOnce(&Status, Option<Dialect>) -> Command + Send;
+/// Computes a command from the current status and the state that contains it.
+pub(crate) type CommandFor = dyn FnOnce(&Status, &State) -> Command + Send;
 
 /// Inspects or changes a virtual arm, given its power-up state.
 pub(crate) type Inspect = dyn FnOnce(&mut VirtualArm, PowerUp) -> Result<Outcome, String> + Send;

@@ -39,7 +39,7 @@ def station(tmp_path: Path) -> Iterator[str]:
 
 @pytest.fixture
 def recording(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """The recording of a move from (200, 0, 60) to (220, 40, 20)."""
+    """The recording of a rest, and a move from (200, 0, 60) to (220, 40, 20)."""
     program = os.environ.get("DOBOT")
     if program is None:
         pytest.skip("the environment variable DOBOT is not set to a `dobot` program")
@@ -48,6 +48,8 @@ def recording(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]
     with dobot.serve("specification", speed=20) as served:
         with dobot.connect(served.tcp, dialect="specification") as arm:
             arm.confirm_pose()
+            # Longer than the rest that a trimmed episode keeps.
+            arm.wait(0.8)
             arm.move_to(200, 0, 60)
             arm.move_to(220, 40, 20)
     [file] = (tmp_path / "data" / "recordings").glob("*.mcap")

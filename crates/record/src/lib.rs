@@ -37,6 +37,8 @@ mod limits;
 mod live;
 mod moment;
 mod playback;
+#[cfg(feature = "protobuf")]
+mod protobuf;
 mod record;
 mod recorder;
 mod recording;
@@ -60,6 +62,8 @@ pub use folder::{RecordedFile, is_being_written, recordings};
 pub use limits::{Limits, StartError};
 pub use live::Live;
 pub use moment::{Damage, Entry, Moment};
+#[cfg(feature = "protobuf")]
+pub use protobuf::copy_as_protobuf;
 pub use record::Record;
 pub use recorder::{Health, Recorder};
 pub use recording::{OpenError, Recording};

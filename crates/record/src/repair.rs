@@ -31,6 +31,9 @@ pub enum RepairError {
     /// The new file cannot be written.
     #[error("cannot write the new file; the disk may be full")]
     NotWritten,
+    /// A message is not what its schema says.
+    #[error("cannot convert the recording: {0}; copy it unchanged instead")]
+    NotConverted(String),
 }
 
 /// Repairs a truncated or damaged recording: its readable part replaces it, with a note about the
@@ -51,7 +54,7 @@ pub fn repair(path: &Path) -> Result<Option<Damage>, RepairError> {
         return Err(RepairError::BeingWritten);
     }
     let repair = Repair::begin(path, u64::MAX)?;
-    let repair = repair.ok_or(RepairError::BeingWritten)?;
+    let mut repair = repair.ok_or(RepairError::BeingWritten)?;
     repair.run().check(has_entries)?;
     Ok(Some(damage))
 }
@@ -63,6 +66,15 @@ pub fn repair(path: &Path) -> Result<Option<Damage>, RepairError> {
 ///
 /// [`RepairError`]; then there is no copy.
 pub fn copy(path: &Path, copy: &Path) -> Result<Option<Damage>, RepairError> {
+    copy_changed(path, copy, None)
+}
+
+/// Copies the readable part of a recording, with each record changed.
+pub(crate) fn copy_changed(
+    path: &Path,
+    copy: &Path,
+    change: Option<Box<Change>>,
+) -> Result<Option<Damage>, RepairError> {
     let mut recording = Recording::open(path)?;
     let has_entries = recording.by_ref().count() > 0;
     let file = File::create_new(copy).map_err(OpenError::from)?;
@@ -71,10 +83,18 @@ pub fn copy(path: &Path, copy: &Path) -> Result<Option<Damage>, RepairError> {
         file,
         is_kept: false,
     };
-    let repair = Repair::into_file(path, new, u64::MAX)?;
-    repair.run().check(has_entries)?;
+    let mut repair = Repair::into_file(path, new, u64::MAX)?;
+    repair.change = change;
+    let outcome = repair.run();
+    if let Some(reason) = repair.refused.take() {
+        return Err(RepairError::NotConverted(reason));
+    }
+    outcome.check(has_entries)?;
     Ok(recording.damage().cloned())
 }
+
+/// Changes a record on its way to a copy; an error is the reason why it cannot.
+pub(crate) type Change = dyn for<'r> FnMut(Record<'r>) -> Result<Record<'r>, String> + Send;
 
 /// A repair of a truncated recording into a new file beside it. The old file stays unchanged until
 /// the new one is complete and synced.
@@ -86,6 +106,10 @@ pub(crate) struct Repair {
     /// The largest length of the new file, in bytes.
     most: u64,
     records: Records,
+    /// Changes the records of a copy.
+    change: Option<Box<Change>>,
+    /// Why a record cannot be changed.
+    refused: Option<String>,
     /// The metadata of the old file.
     writer: Option<Writer<NoSeek<BufWriter<File>>>>,
     /// The first reason why not all of the old file can be read.
@@ -151,6 +175,8 @@ impl Repair {
             new,
             most,
             records: Records::over(old)?,
+            change: None,
+            refused: None,
             writer: None,
             flaw: None,
             holds_something: false,
@@ -161,7 +187,7 @@ impl Repair {
     }
 
     /// Copies all records.
-    fn run(mut self) -> Outcome {
+    fn run(&mut self) -> Outcome {
         loop {
             if let Some(outcome) = self.step() {
                 return outcome;
@@ -173,20 +199,38 @@ impl Repair {
     pub(crate) fn step(&mut self) -> Option<Outcome> {
         for _ in 0..RECORDS {
             match self.records.next() {
-                Some(Ok((kind, body))) => match mcap::parse_record(kind, &body) {
-                    Ok(record) => match self.copy(record) {
+                Some(Ok((kind, body))) => {
+                    let record =
+                        match mcap::parse_record(kind, &body).map(|record| self.changed(record)) {
+                            Ok(Ok(record)) => record,
+                            Ok(Err(reason)) => {
+                                self.refused = Some(reason);
+                                return Some(Outcome::Left);
+                            }
+                            Err(error) => {
+                                self.note(Flaw::within(error.to_string()));
+                                continue;
+                            }
+                        };
+                    match self.copy(record) {
                         Ok(()) => {}
                         // The disk is full, or worse.
                         Err(McapError::Io(_)) => return Some(Outcome::Left),
                         Err(error) => self.note(Flaw::within(error.to_string())),
-                    },
-                    Err(error) => self.note(Flaw::within(error.to_string())),
-                },
+                    }
+                }
                 Some(Err(flaw)) => self.note(flaw),
                 None => return Some(self.end()),
             }
         }
         None
+    }
+
+    fn changed<'r>(&mut self, record: Record<'r>) -> Result<Record<'r>, String> {
+        match &mut self.change {
+            Some(change) => change(record),
+            None => Ok(record),
+        }
     }
 
     fn note(&mut self, flaw: Flaw) {
@@ -257,7 +301,7 @@ impl Repair {
         let Some(mut writer) = self.writer.take().filter(|_| self.holds_something) else {
             return Ok(false);
         };
-        if self.old.is_some() || self.lost_bytes() > 0 {
+        if self.old.is_some() || self.flaw.is_some() {
             self.write_loss(&mut writer)?;
         }
         writer.finish()?;

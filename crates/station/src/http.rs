@@ -36,4 +36,6 @@ pub use exchange::internal_api::StationApi;
 #[cfg(feature = "proofs")]
 pub use proofs::{PROOF, prove};
 pub use serve::server::{ServeError, Served, Web, serve};
+#[cfg(all(test, feature = "full"))]
+pub(crate) use tls::Certificate;
 pub use tls::TlsError;

@@ -176,9 +176,9 @@ fn parquet_holds_what_csv_holds() {
     let reader = SerializedFileReader::new(Bytes::from(parquet)).unwrap();
     let found = reader.get_row_iter(None).unwrap().map(|row| row.unwrap());
     for (row, expected) in found.zip(rows(&statuses)) {
-        assert_eq!(row.get_double(1).unwrap().to_string(), expected[1]);
+        assert_eq!(format!("{:?}", row.get_double(1).unwrap()), expected[1]);
         for (n, number) in expected.iter().enumerate().take(10).skip(2) {
-            assert_eq!(row.get_float(n).unwrap().to_string(), *number);
+            assert_eq!(format!("{:?}", row.get_float(n).unwrap()), *number);
         }
         assert_eq!(row.get_bool(10).unwrap().to_string(), expected[10]);
     }
@@ -424,8 +424,8 @@ fn columns_in_memory_hold_what_csv_holds() {
         for (at, column) in columns.iter().enumerate() {
             let texts: Vec<String> = rows.iter().map(|row| row[at].clone()).collect();
             let read: Vec<String> = match &column.values {
-                Values::Floats(all) => all.iter().map(ToString::to_string).collect(),
-                Values::Doubles(all) => all.iter().map(ToString::to_string).collect(),
+                Values::Floats(all) => all.iter().map(|value| format!("{value:?}")).collect(),
+                Values::Doubles(all) => all.iter().map(|value| format!("{value:?}")).collect(),
                 Values::Truths(all) => all.iter().map(ToString::to_string).collect(),
                 Values::Texts(all) => all
                     .iter()

@@ -4,6 +4,8 @@
 
 #[cfg(feature = "parquet")]
 mod export;
+#[cfg(feature = "protobuf")]
+mod protobuf;
 mod recorder;
 mod recordings;
 mod repairs;

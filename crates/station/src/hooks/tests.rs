@@ -3,9 +3,10 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
 use dobot_api::{JobPhase, JobView};
-use tokio::io::{AsyncReadExt, AsyncWriteExt};
+use tokio::io::{AsyncRead, AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpListener;
 
+use super::config::WebHook;
 use super::*;
 use crate::hooks::event::EventKind;
 use crate::hooks::sign::signature;
@@ -26,30 +27,40 @@ fn done() -> Event {
     .unwrap()
 }
 
+/// Reads a webhook with this address and further lines from a file.
+fn webhook(url: &str, lines: &str) -> WebHook {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("hooks.toml");
+    let text =
+        format!("[[hook]]\non = [\"job-done\"]\nurl = \"{url}\"\nsecret = \"{SECRET}\"\n{lines}");
+    std::fs::write(&file, &text).unwrap();
+    let mut hooks = read(&file).unwrap();
+    let Action::Web(hook) = hooks.remove(0).action else {
+        panic!("{text}")
+    };
+    hook
+}
+
+/// Receives a request up to the end of its body.
+async fn receive(stream: &mut (impl AsyncRead + Unpin), body: &[u8]) -> String {
+    let mut request = Vec::new();
+    while !request.ends_with(body) {
+        assert!(stream.read_buf(&mut request).await.unwrap() > 0);
+    }
+    String::from_utf8(request).unwrap()
+}
+
 /// A webhook at a server that answers with these statuses, one after the other; none closes the
 /// connection. Returns the requests.
 async fn requests_at(statuses: &[Option<u16>], event: &Event) -> (Vec<String>, Result<(), String>) {
     let server = TcpListener::bind("127.0.0.1:0").await.unwrap();
     let address = server.local_addr().unwrap();
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("hooks.toml");
-    let text = format!(
-        "[[hook]]\non = [\"job-done\"]\nurl = \"http://{address}/a?b=c\"\nsecret = \"{SECRET}\"\n"
-    );
-    std::fs::write(&file, text).unwrap();
-    let hooks = read(&file).unwrap();
-    let Action::Web(hook) = &hooks[0].action else {
-        panic!("{hooks:?}")
-    };
+    let hook = webhook(&format!("http://{address}/a?b=c"), "");
     let serve = async {
         let mut requests = Vec::new();
         for status in statuses {
             let (mut stream, _) = server.accept().await.unwrap();
-            let mut request = Vec::new();
-            while !request.ends_with(&event.body) {
-                assert!(stream.read_buf(&mut request).await.unwrap() > 0);
-            }
-            requests.push(String::from_utf8(request).unwrap());
+            requests.push(receive(&mut stream, &event.body).await);
             if let Some(status) = status {
                 let answer = format!("HTTP/1.1 {status} X\r\nContent-Length: 0\r\n\r\n");
                 stream.write_all(answer.as_bytes()).await.unwrap();
@@ -58,7 +69,7 @@ async fn requests_at(statuses: &[Option<u16>], event: &Event) -> (Vec<String>, R
         requests
     };
     let at_once = vec![Duration::ZERO; 3];
-    tokio::join!(serve, web::send(hook, event, &at_once))
+    tokio::join!(serve, web::send(&hook, event, &at_once))
 }
 
 #[tokio::test]
@@ -103,6 +114,59 @@ async fn after_the_last_attempt_or_a_refusal_the_reason_is_reported() {
     let (requests, sent) = requests_at(&[Some(401)], &done()).await;
     assert_eq!(requests.len(), 1);
     assert!(sent.unwrap_err().contains("401"));
+}
+
+#[cfg(feature = "full")]
+mod encrypted {
+    use std::net::Ipv4Addr;
+    use std::path::Path;
+
+    use super::*;
+    use crate::http::Certificate;
+
+    /// A self-signed certificate, kept in this folder.
+    fn certificate(folder: &Path) -> Certificate {
+        Certificate::own(folder, &[], Ipv4Addr::LOCALHOST.into()).unwrap()
+    }
+
+    /// Sends an event to a server with this certificate, by a webhook that trusts the certificate
+    /// in a folder. Returns the request if one arrives.
+    async fn request_at(
+        served: &Certificate,
+        trusted: &Path,
+    ) -> (Option<String>, Result<(), String>) {
+        let server = TcpListener::bind("127.0.0.1:0").await.unwrap();
+        let url = format!("https://{}/", server.local_addr().unwrap());
+        let ca = format!("ca = {:?}\n", trusted.join("certificate.pem"));
+        let (hook, event) = (webhook(&url, &ca), done());
+        let serve = async {
+            let stream = server.accept().await.unwrap().0;
+            let mut stream = served.acceptor.accept(stream).await.ok()?;
+            let request = receive(&mut stream, &event.body).await;
+            let answer = b"HTTP/1.1 204 No Content\r\n\r\n";
+            stream.write_all(answer).await.unwrap();
+            Some(request)
+        };
+        tokio::join!(serve, web::send(&hook, &event, &[]))
+    }
+
+    #[tokio::test]
+    async fn a_webhook_over_https_reaches_a_server_whose_certificate_it_trusts() {
+        let folder = tempfile::tempdir().unwrap();
+        let (request, sent) = request_at(&certificate(folder.path()), folder.path()).await;
+        sent.unwrap();
+        assert!(request.unwrap().contains("Dobot-Signature: sha256="));
+    }
+
+    #[tokio::test]
+    async fn a_webhook_over_https_sends_nothing_to_a_server_with_another_certificate() {
+        let [served, trusted] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+        certificate(trusted.path());
+        let (request, sent) = request_at(&certificate(served.path()), trusted.path()).await;
+        assert_eq!(request, None);
+        let why = sent.unwrap_err();
+        assert!(why.contains("cannot connect"), "{why}");
+    }
 }
 
 #[test]

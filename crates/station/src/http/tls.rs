@@ -17,8 +17,8 @@ use crate::TlsFiles;
 use crate::http::access::tokens::hex;
 
 /// A certificate for the server.
-pub(super) struct Certificate {
-    pub(super) acceptor: TlsAcceptor,
+pub(crate) struct Certificate {
+    pub(crate) acceptor: TlsAcceptor,
     /// Its SHA-256 digest in hexadecimal digits, for people to compare.
     pub(super) fingerprint: String,
 }
@@ -49,7 +49,7 @@ impl Certificate {
     /// # Errors
     ///
     /// [`TlsError`] if it cannot be created, written or read.
-    pub(super) fn own(folder: &Path, names: &[String], address: IpAddr) -> Result<Self, TlsError> {
+    pub(crate) fn own(folder: &Path, names: &[String], address: IpAddr) -> Result<Self, TlsError> {
         let files = TlsFiles {
             certificate: folder.join("certificate.pem"),
             key: folder.join("key.pem"),

@@ -11,9 +11,11 @@ use clap::ValueEnum;
 #[cfg(not(feature = "full"))]
 use dobot_api::NotBuilt;
 #[cfg(feature = "full")]
+use dobot_record::copy_as_protobuf;
+#[cfg(feature = "full")]
 use dobot_record::tables::{DatasetPart, MarkedEpisode, export_lerobot, marked_episodes};
 use dobot_record::tables::{ExportError, TableForm, export_files, holds_packets};
-use dobot_record::{Damage, Recording, copy, is_being_written};
+use dobot_record::{Damage, Recording, RepairError, copy, is_being_written};
 
 use super::open;
 use crate::failure::Failure;
@@ -23,7 +25,7 @@ use crate::output;
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Export")]
 pub(super) struct Export {
-    /// Export instead: csv or parquet (tables of statuses and commands), lerobot (a dataset), or mcap (a complete copy)
+    /// Export instead: csv or parquet (tables of statuses and commands), lerobot (a dataset), mcap (a complete copy), or protobuf (a complete copy for Rerun)
     #[arg(long = "export", value_name = "FORM", value_enum, requires = "files", conflicts_with_all = ["json", "topics", "dialect"])]
     form: Option<Form>,
     /// Output file, or the folder of a dataset (default: named after the recording, in the current folder)
@@ -49,6 +51,7 @@ enum Form {
     Parquet,
     Lerobot,
     Mcap,
+    Protobuf,
 }
 
 impl Export {
@@ -82,9 +85,13 @@ impl Export {
             Form::Parquet => self.tables(TableForm::Parquet, file, &range, &out),
             #[cfg(feature = "full")]
             Form::Lerobot => self.dataset(files, &range, &out),
+            #[cfg(feature = "full")]
+            Form::Protobuf => copied(file, &out, copy_as_protobuf),
             #[cfg(not(feature = "full"))]
-            Form::Parquet | Form::Lerobot => Err(NotBuilt("Parquet and LeRobot").into()),
-            Form::Mcap => copied(file, &out),
+            Form::Parquet | Form::Lerobot | Form::Protobuf => {
+                Err(NotBuilt("Parquet, LeRobot and protobuf").into())
+            }
+            Form::Mcap => copied(file, &out, copy),
         }?;
         Ok(output::line(&summary)?)
     }
@@ -110,8 +117,12 @@ impl Export {
             _ if self.task.is_some() => ("--task", only),
             _ if !self.episodes.is_empty() => ("--episode", only),
             _ if self.trim_idle => ("--trim-idle", only),
-            Form::Mcap if !is_whole(range) => ("--since or --until", "a copy is complete"),
-            Form::Mcap if self.force => ("--force", "an existing recording is never overwritten"),
+            Form::Mcap | Form::Protobuf if !is_whole(range) => {
+                ("--since or --until", "a copy is complete")
+            }
+            Form::Mcap | Form::Protobuf if self.force => {
+                ("--force", "an existing recording is never overwritten")
+            }
             _ => return Ok(()),
         };
         Err(Failure::usage(anyhow!("{option} does not apply: {why}"))
@@ -210,7 +221,11 @@ fn is_whole(range: &RangeInclusive<Duration>) -> bool {
 }
 
 /// Copies a recording to a complete one.
-fn copied(file: &Path, out: &Path) -> Result<String, Failure> {
+fn copied(
+    file: &Path,
+    out: &Path,
+    copy: fn(&Path, &Path) -> Result<Option<Damage>, RepairError>,
+) -> Result<String, Failure> {
     let is_being_written = is_being_written(file);
     let damage = copy(file, out).map_err(|error| {
         let error = anyhow::Error::from(error).context(out.display().to_string());
@@ -307,6 +322,7 @@ impl Form {
             Self::Parquet => "parquet",
             Self::Lerobot => "lerobot",
             Self::Mcap => "copy.mcap",
+            Self::Protobuf => "protobuf.mcap",
         }
     }
 
