@@ -147,6 +147,7 @@ step_lint() {
   build cargo clippy --locked --workspace "${RARE[@]}" --all-targets -- -D warnings
   check_words
   check_sizes
+  check_levels
 }
 
 # Words that a reader stumbles over (tests/lint/words.txt), and misspelled ones (_typos.toml).
@@ -173,6 +174,17 @@ check_sizes() {
     END { print NR " functions; lines: median " lines[int((NR + 1) / 2)] ", 95 % at most " lines[int(NR * 0.95)] }' <<<"$sizes"
   long=$(awk '$1 > 80 && $4 != "table"' <<<"$sizes")
   [[ -z $long ]] || fail "functions of over 80 lines:"$'\n'"$long"
+}
+
+# A crate that `cargo build --release` does not optimise has another level in what is released.
+check_levels() {
+  local forgotten
+  forgotten=$(comm -23 <(levels release | sed -n 's/\.opt-level = 0$//p' | sort) <(levels dist | sed 's/\..*//' | sort))
+  [[ -z $forgotten ]] || fail "these crates need a level in [profile.dist.package] of Cargo.toml:"$'\n'"$forgotten"
+}
+
+levels() {
+  sed -n "/^\[profile\.$1\.package\]/,/^$/p" Cargo.toml | grep '^[a-z]'
 }
 
 step_lint-all() {
