@@ -5369,7 +5369,7 @@ export interface components {
              *         "join": null,
              *         "drop_doubles": false,
              *         "keep_order": false,
-             *         "tries": 80000,
+             *         "tries": 30000,
              *         "seed": 1,
              *         "from": null
              *       }
@@ -5483,7 +5483,7 @@ export interface components {
              *       "join": null,
              *       "drop_doubles": false,
              *       "keep_order": false,
-             *       "tries": 80000,
+             *       "tries": 30000,
              *       "seed": 1,
              *       "from": null
              *     }
@@ -5913,8 +5913,8 @@ export interface components {
             keep_order: boolean;
             /**
              * Format: uint32
-             * @description Number of attempts to shorten the pen-up travel for 10,000 strokes; fewer for fewer strokes and from 14,000 on
-             * @default 80000
+             * @description Number of attempts to shorten the pen-up travel for 10,000 strokes and more; fewer for fewer
+             * @default 30000
              */
             tries: number;
             /**

@@ -30,7 +30,7 @@ DRAWINGS = [
 ]
 RIVALS = ["linesort --two-opt", "linemerge linesort --two-opt", "linemerge linesort reloop"]
 TWO_OPT = RIVALS[0]
-KICKS = [0, 500, 80_000]
+KICKS = [0, 500, 30_000]
 SEEDS = [1, 2, 3]
 PX_PER_MM = 96 / 25.4
 

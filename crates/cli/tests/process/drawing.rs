@@ -596,6 +596,25 @@ fn a_long_drawing_has_its_dots_in_the_picture_and_its_timeline_without_a_rehears
 }
 
 #[test]
+fn the_planned_duration_of_a_table_of_single_points_is_that_of_the_arm() {
+    // 28 dots in four rows; an empty line ends a stroke.
+    let dot = |i: i32| format!("{},{}\n", 200 + 10 * (i % 7), 10 * (i / 7) - 15);
+    let table = (0..28).map(dot).collect::<Vec<_>>().join("\n");
+    for dialect in ["specification", "firmware-1.1"] {
+        let arguments = ["draw", "-", "--json", "--dialect", dialect];
+        let report = report(
+            &dobot_reading(&arguments, table.as_bytes())
+                .succeeds()
+                .stdout,
+        );
+        assert_eq!(report["strokes"], 28, "{report}");
+        let (time_s, planned_s) = (number(&report, "time_s"), number(&report, "planned_s"));
+        // Some statuses pass until the end is seen.
+        assert!((time_s - planned_s).abs() < 0.01 * time_s + 0.4, "{report}");
+    }
+}
+
+#[test]
 fn the_length_of_dots_alone_is_zero() {
     let dots = page(r#"<path d="M50 30h0M60 30h0" stroke="red" stroke-linecap="round"/>"#);
     let outcome = dobot_reading(&["draw", "-", "--dry-run", "--json"], dots.as_bytes());

@@ -20,7 +20,7 @@ pub struct PathOptions {
     pub drop_doubles: bool,
     /// Keep the stroke order of the file
     pub keep_order: bool,
-    /// Number of attempts to shorten the pen-up travel for 10,000 strokes; fewer for fewer strokes and from 14,000 on
+    /// Number of attempts to shorten the pen-up travel for 10,000 strokes and more; fewer for fewer
     pub tries: u32,
     /// Random seed for the stroke order; the same seed gives the same order
     pub seed: u64,

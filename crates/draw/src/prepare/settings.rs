@@ -191,7 +191,7 @@ impl Default for Settings {
 }
 
 /// Enough for ordinary drawings in well under a second, and about a second per 100,000 strokes.
-pub(crate) const TRIES: u32 = 80_000;
+pub(crate) const TRIES: u32 = 30_000;
 const FLATTEN_SHARE: f64 = 0.1;
 /// The range of tolerances, in mm; larger ones would leave nothing of a drawing.
 pub(crate) const TOLERANCE_MM: [f64; 2] = [4.0 * MIN_VECTOR_MM, 10.0];

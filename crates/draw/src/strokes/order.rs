@@ -30,15 +30,15 @@ use dobot_geometry::{Point, Random, Stroke};
 
 /// The objective and effort of the search.
 ///
-/// On one core of a small computer, a thousand strokes take some 15 ms and a thousand kicks some 6 ms.
+/// On one core of a small computer, a thousand strokes take some 15 ms and a thousand kicks some 10 ms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Search {
     /// The cost to minimise.
     pub travel: Travel,
-    /// The number of kicks for 10,000 strokes: random changes after which the order is improved locally. Fewer
-    /// strokes get fewer kicks, and so do more than 14,000. A worse result is undone, except for small losses at
-    /// the beginning. In a long order, a kick that rewrites much counts as several. Without kicks, travel is
-    /// about 5 % above the optimum; with five per stroke, less than 1 %.
+    /// The number of kicks for 10,000 strokes and more: random changes after which the order is improved locally.
+    /// Fewer strokes get fewer kicks. A worse result is undone, except for small losses at the beginning. In a
+    /// long order, a kick that rewrites much counts as several. Without kicks, travel is about 5 % above the
+    /// optimum; with five per stroke, less than 1 %.
     pub kicks: u32,
     /// The random seed of the kicks: the same seed gives the same order.
     pub seed: u64,
@@ -69,8 +69,7 @@ pub(crate) fn order_until(
     drawn(strokes, &way)
 }
 
-/// Returns the best order found. With closed strokes the search runs in rounds, because a loop with
-/// a new start may belong elsewhere in the order.
+/// Returns the best order found.
 fn searched(
     strokes: &[Stroke],
     given: &[Stop],
@@ -79,38 +78,81 @@ fn searched(
     cancel: &CancelToken,
 ) -> Vec<Stop> {
     let mut random = Random::new(search.seed);
-    let turn = |way: &mut Vec<Stop>| turn_loops(strokes, way, start, search.travel);
-    let nodes_of = |way: &[Stop]| Nodes::new(strokes, way, start, search.travel, cancel);
-    let mut nodes = nodes_of(given);
+    let nodes = Nodes::new(strokes, given, start, search.travel, cancel);
     let Some(tour) = greedy(&nodes, cancel) else {
         return given.to_vec();
     };
-    let mut way = nodes.way(&tour);
-    // Without closed strokes the nodes never change, so a single round suffices.
-    let rounds = if turn(&mut way) > 0.0 { ROUNDS } else { 1 };
-    for _ in 0..rounds {
-        // The starts of closed strokes may have moved, which moves their nodes.
-        if rounds > 1 {
-            nodes = nodes_of(&way);
-        }
-        let most = kicks(search, way.len());
-        let tour = nodes.tour(&way);
-        let mut local_search = LocalSearch::new(&nodes, tour, cancel);
-        local_search.settle_all();
-        let mean = cost(strokes, &way, start, search.travel) / lossy(way.len().max(1));
-        let kicks = most / rounds;
-        let warmth = mean * patience(most, way.len());
-        // Half of the kicks exchange edges; the rest moves parts, which exchanges cannot do.
-        local_search.anneal(kicks - kicks / 2, warmth, &mut random);
-        let mut turns = Turns::new(&nodes, local_search.tour(), cancel);
-        let left = moved(&mut turns, kicks / 2, &mut random);
-        local_search.set(turns.tour());
+    let mut order = Improved {
+        strokes,
+        start,
+        travel: search.travel,
+        way: nodes.way(&tour),
+        nodes,
+        cancel,
+    };
+    order.turn_loops();
+    let kicks = kicks(search, given.len());
+    let count = lossy(given.len().max(1));
+    let warmth = order.cost() / count * patience(kicks, count);
+    // Half of the kicks exchange edges; the rest moves parts, which exchanges cannot do.
+    order.improve(|_, search| search.anneal(kicks / 2, warmth, &mut random));
+    order.turn_loops();
+    order.improve(|nodes, search| {
+        let mut turns = Turns::new(nodes, search.tour(), cancel);
+        let left = moved(&mut turns, kicks - kicks / 2, &mut random);
+        search.set(turns.tour());
         // Moved parts open new exchanges; start cooler, because the order is already good.
-        local_search.anneal(left, warmth / 4.0, &mut random);
-        way = nodes.way(local_search.tour());
-        turn(&mut way);
+        search.anneal(left, warmth / 4.0, &mut random);
+    });
+    if order.turn_loops() {
+        order.improve(|_, _| {});
+        order.turn_loops();
     }
-    way
+    order.way
+}
+
+/// An order that gets better.
+struct Improved<'a> {
+    strokes: &'a [Stroke],
+    start: Point,
+    travel: Travel,
+    way: Vec<Stop>,
+    /// The nodes of the order, up to the starts of a few closed strokes.
+    nodes: Nodes,
+    cancel: &'a CancelToken,
+}
+
+impl Improved<'_> {
+    fn cost(&self) -> f64 {
+        cost(self.strokes, &self.way, self.start, self.travel)
+    }
+
+    /// Moves the starts of closed strokes to the best corners. Returns whether this gained enough to search
+    /// again: a loop with a new start may belong elsewhere in the order.
+    fn turn_loops(&mut self) -> bool {
+        let gain = turn_loops(self.strokes, &mut self.way, self.start, self.travel);
+        let is_much = gain > MUCH_TURNED * self.cost();
+        if is_much {
+            let Self {
+                strokes,
+                start,
+                travel,
+                cancel,
+                ..
+            } = *self;
+            self.nodes = Nodes::new(strokes, &self.way, start, travel, cancel);
+        }
+        is_much
+    }
+
+    /// Searches around every node, and then as `further` does.
+    fn improve(&mut self, further: impl FnOnce(&Nodes, &mut LocalSearch<'_>)) {
+        let tour = self.nodes.tour(&self.way);
+        let mut search = LocalSearch::new(&self.nodes, tour, self.cancel);
+        search.settle_all();
+        further(&self.nodes, &mut search);
+        self.way = self.nodes.way(search.tour());
+    }
 }
 
 /// Moves parts of a tour, with each stroke in its best direction, while that pays off. Returns the
@@ -132,22 +174,17 @@ fn moved(turns: &mut Turns, kicks: u32, random: &mut Random) -> u32 {
 }
 
 /// Returns the number of kicks: in proportion to the strokes up to [`STROKES_FOR_ALL`], because more gain nothing.
-/// In large drawings a kick costs more and gains less, so the number decreases again.
 fn kicks(search: &Search, strokes: usize) -> u32 {
     let strokes = u32::try_from(strokes).unwrap_or(u32::MAX);
-    let share = |part: u32, of: u32| u64::from(search.kicks) * u64::from(part) / u64::from(of);
-    let kicks = if strokes < STROKES_FOR_ALL {
-        share(strokes, STROKES_FOR_ALL) + u64::from(MIN_KICKS.min(search.kicks))
-    } else {
-        share(MANY_STROKES, strokes.max(MANY_STROKES))
-    };
+    let share = u64::from(search.kicks) * u64::from(strokes) / u64::from(STROKES_FOR_ALL);
+    let kicks = share + u64::from(MIN_KICKS);
     u32::try_from(kicks).map_or(search.kicks, |kicks| kicks.min(search.kicks))
 }
 
 /// Returns the initial tolerance for worse orders, as a share of the best value for enough kicks
 /// per stroke.
-fn patience(kicks: u32, strokes: usize) -> f64 {
-    (f64::from(kicks) / (f64::from(KICKS_FOR_EACH) * lossy(strokes.max(1)))).min(1.0)
+fn patience(kicks: u32, strokes: f64) -> f64 {
+    (f64::from(kicks) / (f64::from(KICKS_FOR_EACH) * strokes)).min(1.0)
 }
 
 #[expect(clippy::cast_precision_loss, reason = "far fewer than 2^53")]
@@ -155,15 +192,15 @@ const fn lossy(count: usize) -> f64 {
     count as f64
 }
 
-const ROUNDS: u32 = 2;
+/// The share of the cost by which closed strokes with better starts must shorten an order to make it worth
+/// another search.
+const MUCH_TURNED: f64 = 0.0005;
 /// With this many kicks per stroke, the search begins with the full tolerance for worse orders.
-const KICKS_FOR_EACH: u32 = 40;
+const KICKS_FOR_EACH: u32 = 15;
 /// The number of strokes from which on there are as many kicks as requested.
 const STROKES_FOR_ALL: u32 = 10_000;
-/// The number of strokes above which there are fewer kicks.
-const MANY_STROKES: u32 = 14_000;
 /// What is added for a handful of strokes, which takes no time.
-const MIN_KICKS: u32 = 2000;
+const MIN_KICKS: u32 = 800;
 /// The kicks for moving parts are divided into this many shares, and end when a share shortens the
 /// travel by less than [`WORTHWHILE`].
 const SHARES: u32 = 4;

@@ -113,13 +113,22 @@ fn everything_before_a_mistake_is_drawn_and_the_mistake_is_reported() {
 }
 
 #[test]
-fn encoded_lines_without_an_end_are_drawn_up_to_the_next_command() {
+fn the_last_encoded_lines_of_autocad_are_drawn_although_they_have_no_semicolon() {
     // 40 units to the right, twice: 80 in base 64 is 16 and 1.
-    let text = b"PU0,0;PE\x4f\xc0\xbf\x4f\xc0\xbfPUSP0;PG;";
-    let (artwork, warnings) = super::read(text, &ReadOptions::default()).unwrap();
-    let lengths = artwork.layers[0].strokes.iter().map(Stroke::length_mm);
-    assert_eq!(lengths.collect::<Vec<_>>(), [2.0]);
-    assert_eq!(warnings.len(), 1, "{warnings:?}");
+    let short: &[u8] = b"PU0,0;PE\x4f\xc0\xbf\x4f\xc0\xbfPUSP0;PG;";
+    // As AutoCAD writes it: from (1495, 471) to (354, 354), in 25.4 mm / 300.
+    let autocad: &[u8] = b"\x1b%0BBPINPS1640,1640ECIP0,0,1016,-1016SC0,300,0,300SP1PU\
+        PA0,0PE<=m\xedm\xcd=C\xcaC\xcaPUSP0;PG;";
+    for (text, expected_mm) in [(short, 2.0), (autocad, 97.1)] {
+        let (artwork, warnings) = super::read(text, &ReadOptions::default()).unwrap();
+        let strokes = artwork.layers.iter().flat_map(|layer| &layer.strokes);
+        let found_mm: f64 = strokes.map(Stroke::length_mm).sum();
+        assert!(
+            (found_mm - expected_mm).abs() < 0.05,
+            "{found_mm} mm, expected {expected_mm} mm"
+        );
+        assert_eq!(warnings.len(), 1, "{warnings:?}");
+    }
 }
 
 #[test]

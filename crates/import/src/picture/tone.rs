@@ -111,8 +111,14 @@ fn around(place: f64, cells: usize) -> (usize, usize, f64) {
 }
 
 fn transposed(ink: &[f32], width: usize) -> Vec<f32> {
-    let columns = (0..width).flat_map(|x| ink[x..].iter().step_by(width).copied());
-    columns.collect()
+    let height = ink.len() / width;
+    let mut columns = vec![0.0; ink.len()];
+    for (y, row) in ink.chunks(width).enumerate() {
+        for (x, &ink) in row.iter().enumerate() {
+            columns[x * height + y] = ink;
+        }
+    }
+    columns
 }
 
 /// Gaussian blur along the rows; the edge values continue beyond the edge.
@@ -120,21 +126,22 @@ fn blur_rows(ink: &[f32], width: usize, sigma: f64, cancel: &CancelToken) -> Vec
     let bell = bell(sigma);
     let reach = bell.len() / 2;
     let mut padded = Vec::with_capacity(width + 2 * reach);
-    let mut out = Vec::with_capacity(ink.len());
-    for row in ink.chunks(width) {
+    let mut out = vec![0.0; ink.len()];
+    for (row, sums) in ink.chunks(width).zip(out.chunks_mut(width)) {
         if cancel.is_cancelled() {
-            out.extend_from_slice(row);
+            sums.copy_from_slice(row);
             continue;
         }
         padded.clear();
         padded.extend(std::iter::repeat_n(row[0], reach));
         padded.extend_from_slice(row);
         padded.extend(std::iter::repeat_n(row[width - 1], reach));
-        let sums = padded.windows(bell.len()).map(|near| {
-            let parts = near.iter().zip(&bell);
-            parts.map(|(ink, share)| ink * share).sum::<f32>()
-        });
-        out.extend(sums);
+        // One neighbour of all cells after another: several cells at a time.
+        for (near, share) in padded.windows(width).zip(&bell) {
+            for (sum, ink) in sums.iter_mut().zip(near) {
+                *sum += ink * share;
+            }
+        }
     }
     out
 }

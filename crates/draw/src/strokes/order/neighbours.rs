@@ -23,40 +23,54 @@ pub(super) fn near(
             if cancel.is_cancelled() {
                 return near;
             }
-            near[..NEAREST].copy_from_slice(&nearest(tree, at, p, not));
-            let mut beyond: Vec<(f64, u32)> = net
-                .joined(node)
-                .filter(|other| !not.contains(other) && !near.contains(other))
-                .map(|other| (at[other as usize].distance_squared(p), other))
-                .collect();
-            beyond.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-            for (slot, (_, other)) in near[NEAREST..].iter_mut().zip(beyond) {
-                *slot = other;
-            }
+            let (nearest, beyond) = near.split_at_mut(NEAREST);
+            let mut found = Nearest::<NEAREST>::new(node);
+            tree.around(p, f64::INFINITY, &|_, _| true, &mut |others| {
+                found.add(others.filter(|other| !not.contains(other)), at, p)
+            });
+            nearest.copy_from_slice(&found.nodes);
+            let joined = net.joined(node).iter().copied();
+            let joined = joined.filter(|other| !not.contains(other) && !nearest.contains(other));
+            let mut found = Nearest::<FARTHER>::new(node);
+            found.add(joined, at, p);
+            beyond.copy_from_slice(&found.nodes);
             near
         })
         .collect()
 }
 
-/// Returns the nearest nodes.
-fn nearest(tree: &BoxTree, at: &[Point], p: Point, not: [u32; 2]) -> [u32; NEAREST] {
-    let mut found = [(f64::INFINITY, not[0]); NEAREST];
-    tree.around(p, f64::INFINITY, &|_, _| true, &mut |others| {
-        for other in others.filter(|other| !not.contains(other)) {
-            let distance2 = at[other as usize].distance_squared(p);
-            if distance2 >= found[NEAREST - 1].0 {
+/// The nearest of some nodes, in order; missing ones are filled.
+struct Nearest<const COUNT: usize> {
+    distances2: [f64; COUNT],
+    nodes: [u32; COUNT],
+}
+
+impl<const COUNT: usize> Nearest<COUNT> {
+    const fn new(filler: u32) -> Self {
+        Self {
+            distances2: [f64::INFINITY; COUNT],
+            nodes: [filler; COUNT],
+        }
+    }
+
+    /// Adds nodes. Returns the squared distance beyond which no other is of interest.
+    fn add(&mut self, nodes: impl Iterator<Item = u32>, at: &[Point], p: Point) -> f64 {
+        for node in nodes {
+            let distance2 = at[node as usize].distance_squared(p);
+            if distance2 >= self.distances2[COUNT - 1] || self.nodes.contains(&node) {
                 continue;
             }
-            let mut slot = NEAREST - 1;
-            while slot > 0 && found[slot - 1].0 > distance2 {
-                found[slot] = found[slot - 1];
+            let mut slot = COUNT - 1;
+            while slot > 0 && self.distances2[slot - 1] > distance2 {
+                self.distances2[slot] = self.distances2[slot - 1];
+                self.nodes[slot] = self.nodes[slot - 1];
                 slot -= 1;
             }
-            found[slot] = (distance2, other);
+            self.distances2[slot] = distance2;
+            self.nodes[slot] = node;
         }
-        found[NEAREST - 1].0
-    });
-    found.map(|(_, other)| other)
+        self.distances2[COUNT - 1]
+    }
 }
 
 /// A Delaunay triangulation of the nodes: the shortest edge between any two groups of nodes is one
@@ -64,10 +78,10 @@ fn nearest(tree: &BoxTree, at: &[Point], p: Point, not: [u32; 2]) -> [u32; NEARE
 struct Net {
     /// The place of each node; several nodes may share a place.
     place: Vec<u32>,
-    /// The first node at each place.
-    node: Vec<u32>,
-    /// The sides of the triangles as pairs of places, in both directions, sorted.
-    sides: Vec<(u32, u32)>,
+    /// The first of the nodes joined with each place, and the end of the last.
+    first: Vec<u32>,
+    /// The nodes joined with each place, one after another.
+    joined: Vec<u32>,
 }
 
 impl Net {
@@ -88,6 +102,7 @@ impl Net {
         });
         let net = delaunator::triangulate(&places.collect::<Vec<_>>());
         let corners = net.triangles.chunks_exact(3);
+        // Every side of two triangles is seen from both; a side of the hull only from one.
         let sides = corners.flat_map(|triangle| {
             [
                 (triangle[0], triangle[1]),
@@ -96,21 +111,34 @@ impl Net {
             ]
         });
         // Collinear points have no triangles, but a hull.
-        let hull = net.hull.windows(2).map(|pair| (pair[0], pair[1]));
-        let sides = sides.chain(hull).flat_map(|(a, b)| [(a, b), (b, a)]);
-        let mut sides: Vec<_> = sides.map(|(a, b)| (index(a), index(b))).collect();
-        sides.sort_unstable();
-        sides.dedup();
-        Self { place, node, sides }
+        let ring = net.hull.iter().zip(net.hull.iter().cycle().skip(1));
+        let hull = ring.flat_map(|(&a, &b)| [(a, b), (b, a)]);
+        let sides = sides.chain(hull);
+        let mut first = vec![0; node.len() + 1];
+        for (from, _) in sides.clone() {
+            first[from] += 1;
+        }
+        let mut end = 0;
+        for first in &mut first {
+            end += *first;
+            *first = end;
+        }
+        let mut joined = vec![0; end as usize];
+        for (from, to) in sides {
+            first[from] -= 1;
+            joined[first[from] as usize] = node[to];
+        }
+        Self {
+            place,
+            first,
+            joined,
+        }
     }
 
-    /// Returns the nodes joined with a node.
-    fn joined(&self, node: u32) -> impl Iterator<Item = u32> {
-        let place = self.place[node as usize];
-        let begin = self.sides.partition_point(|side| side.0 < place);
-        let sides = self.sides[begin..].iter();
-        let sides = sides.take_while(move |side| side.0 == place);
-        sides.map(|side| self.node[side.1 as usize])
+    /// Returns the nodes joined with a node; some may come twice.
+    fn joined(&self, node: u32) -> &[u32] {
+        let place = self.place[node as usize] as usize;
+        &self.joined[self.first[place] as usize..self.first[place + 1] as usize]
     }
 }
 
@@ -119,8 +147,9 @@ fn index(place: usize) -> u32 {
 }
 
 /// The number of neighbours of a node.
-pub(super) const NEAR: usize = NEAREST + 4;
+pub(super) const NEAR: usize = NEAREST + FARTHER;
 const NEAREST: usize = 7;
+const FARTHER: usize = 4;
 
 #[cfg(test)]
 mod tests {

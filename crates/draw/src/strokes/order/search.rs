@@ -165,39 +165,8 @@ impl<'a> LocalSearch<'a> {
         self.tour.order()
     }
 
-    /// Returns four close places after which the tour may be cut: close on paper or in the tour,
-    /// with equal probability, because neighbours on paper may be far apart in the tour (hatching).
+    /// Returns four close places of the tour after which it may be cut.
     fn kick_places(&self, random: &mut Random) -> Option<[u32; 4]> {
-        let mut places = if random.below(2) == 0 {
-            self.places_on_paper(random)?
-        } else {
-            self.places_in_tour(random)
-        };
-        places.sort_unstable();
-        let distinct = places.windows(2).all(|pair| pair[0] < pair[1]);
-        distinct.then_some(places)
-    }
-
-    /// Returns places visited by a random walk between neighbours.
-    fn places_on_paper(&self, random: &mut Random) -> Option<[u32; 4]> {
-        let mut node = self.tour.at(random.below(self.tour.len()));
-        let mut places = [0; 4];
-        for place in &mut places {
-            for _ in 0..=random.below(MAX_STEPS_ASIDE) {
-                node = self.nodes.neighbour(node, random)?;
-            }
-            let before = self.tour.previous(node);
-            let after = self.tour.next(node);
-            // Cut on the side of the node that is travel, because strokes must not be cut.
-            let cuts_before = self.nodes.is_stroke(node, after)
-                || !self.nodes.is_stroke(node, before) && random.below(2) == 0;
-            *place = self.tour.place(if cuts_before { before } else { node });
-        }
-        Some(places)
-    }
-
-    /// Returns random places within a window of the tour.
-    fn places_in_tour(&self, random: &mut Random) -> [u32; 4] {
         let size = self.tour.len();
         let window = WINDOW.min(size);
         let first = random.below(size - window + 1);
@@ -211,7 +180,9 @@ impl<'a> LocalSearch<'a> {
                 *place = if *place + 1 == size { 0 } else { *place + 1 };
             }
         }
-        places
+        places.sort_unstable();
+        let distinct = places.windows(2).all(|pair| pair[0] < pair[1]);
+        distinct.then_some(places)
     }
 
     fn after(&self, place: u32) -> u32 {
@@ -247,53 +218,77 @@ impl<'a> LocalSearch<'a> {
             if cost != STROKE {
                 self.ends[0] = node;
                 self.ends[1] = other;
-                let gain = self.deepen(1, cost.into());
+                let gain = self.exchange_from(cost.into());
                 if gain.is_some() {
                     return gain;
                 }
             }
         }
         None
+    }
+
+    /// Exchanges edges after the removal of the first, which leaves the loose ends 0 and 1 and this gain.
+    fn exchange_from(&mut self, open: f64) -> Option<f64> {
+        self.deepen::<1>(open, |search, open| {
+            search.deepen::<2>(open, |search, open| search.deepen::<3>(open, |_, _| None))
+        })
     }
 
     /// Adds an edge from the last loose end and removes one at its other end.
-    fn deepen(&mut self, depth: usize, open: f64) -> Option<f64> {
-        let (steps, count) = self.steps(depth, open);
+    #[inline]
+    fn deepen<const DEPTH: usize>(
+        &mut self,
+        open: f64,
+        further: impl Fn(&mut Self, f64) -> Option<f64>,
+    ) -> Option<f64> {
+        let (steps, count) = self.steps::<DEPTH>(open);
         for step in &steps[..count] {
-            self.ends[2 * depth] = step.to;
-            self.ends[2 * depth + 1] = step.out;
-            let open = step.open;
-            let gain = if self.nodes.may_cost_less(step.out, self.ends[0], open) {
-                open - self.nodes.cost(step.out, self.ends[0])
-            } else {
-                0.0
-            };
-            if gain > EPSILON
-                && let Some(exchange) = self.tour.exchange(&self.ends[..2 * depth + 2])
-            {
-                self.tour.apply(&exchange);
-                let ends = self.ends;
-                self.rejoin(&ends[..2 * depth + 2]);
-                for i in 0..2 * depth + 2 {
-                    self.touch(self.ends[i]);
-                }
-                return Some(gain);
-            }
-            if depth + 1 < MAX_EDGES {
-                let gain = self.deepen(depth + 1, open);
-                if gain.is_some() {
-                    return gain;
-                }
+            self.ends[2 * DEPTH] = step.to;
+            self.ends[2 * DEPTH + 1] = step.out;
+            let gain = self
+                .close(2 * DEPTH + 2, step.open)
+                .or_else(|| further(self, step.open));
+            if gain.is_some() {
+                return gain;
             }
         }
         None
     }
 
-    /// Returns the most promising next steps.
-    fn steps(&self, depth: usize, open: f64) -> ([Step; MAX_STEPS], usize) {
-        let mut steps = [Step::default(); MAX_STEPS];
-        let (mut count, most) = (0, BREADTH[depth - 1]);
-        let from = self.ends[2 * depth - 1];
+    /// Joins the loose ends, if that gives a tour with a gain.
+    #[inline]
+    fn close(&mut self, count: usize, open: f64) -> Option<f64> {
+        let [first, last] = [self.ends[0], self.ends[count - 1]];
+        if !self.nodes.may_cost_less(last, first, open) {
+            return None;
+        }
+        let gain = open - self.nodes.cost(last, first);
+        if gain <= EPSILON {
+            return None;
+        }
+        self.apply(count).then_some(gain)
+    }
+
+    /// Exchanges the edges between the first ends, unless the tour would fall apart.
+    fn apply(&mut self, count: usize) -> bool {
+        let ends = self.ends;
+        let Some(exchange) = self.tour.exchange(&ends[..count]) else {
+            return false;
+        };
+        self.tour.apply(&exchange);
+        self.rejoin(&ends[..count]);
+        for &end in &ends[..count] {
+            self.touch(end);
+        }
+        true
+    }
+
+    /// Returns the most promising next steps, and their number.
+    #[inline]
+    fn steps<const DEPTH: usize>(&self, open: f64) -> ([Step; MAX_STEPS], usize) {
+        let mut steps = [NO_STEP; MAX_STEPS];
+        let (mut count, most) = (0, const { BREADTH[DEPTH - 1] });
+        let from = self.ends[2 * DEPTH - 1];
         let around = self.joined[from as usize].node;
         for &Near { node: to, cost } in self.nodes.near(from) {
             let left = open - f64::from(cost);
@@ -309,15 +304,12 @@ impl<'a> LocalSearch<'a> {
             let Joined { node: outs, cost } = self.joined[to as usize];
             for (out, cost) in outs.into_iter().zip(cost) {
                 let open = left + f64::from(cost);
-                let is_full = count == most;
-                if is_full && steps[most - 1].open >= open
-                    || cost == STROKE
-                    || self.is_out(depth, to, out)
-                {
+                // A stroke leaves less than no step.
+                if open <= steps[most - 1].open || self.is_out::<DEPTH>(to, out) {
                     continue;
                 }
-                let mut slot = if is_full { most - 1 } else { count };
-                count += usize::from(!is_full);
+                let mut slot = most - 1;
+                count = (count + 1).min(most);
                 // Insertion sort: there are at most five steps.
                 while slot > 0 && steps[slot - 1].open < open {
                     steps[slot] = steps[slot - 1];
@@ -330,8 +322,9 @@ impl<'a> LocalSearch<'a> {
     }
 
     /// Whether an edge is already removed.
-    fn is_out(&self, depth: usize, a: u32, b: u32) -> bool {
-        self.ends[..2 * depth]
+    #[inline]
+    fn is_out<const DEPTH: usize>(&self, a: u32, b: u32) -> bool {
+        self.ends[..2 * DEPTH]
             .chunks_exact(2)
             .any(|edge| edge == [a, b] || edge == [b, a])
     }
@@ -364,7 +357,7 @@ fn joined(nodes: &Nodes, tour: &[u32]) -> Vec<Joined> {
 }
 
 /// An added and a removed edge.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 struct Step {
     /// The other end of the added edge.
     to: u32,
@@ -376,14 +369,18 @@ struct Step {
 
 /// The cost of an edge that is a stroke, so that its removal never gains anything.
 pub(super) const STROKE: f32 = f32::NEG_INFINITY;
+/// Less than what any step leaves, and no more than what the removal of a stroke does.
+const NO_STEP: Step = Step {
+    to: 0,
+    out: 0,
+    open: f64::NEG_INFINITY,
+};
 /// The number of steps tried after each removed edge.
 const BREADTH: [usize; MAX_EDGES - 1] = [5, 3, 1];
 
 const MAX_STEPS: usize = 5;
-/// Every other kick cuts the tour in four places within this window.
-const WINDOW: u32 = 50;
-/// The others cut it at the stops of a walk on paper with at most this many steps each.
-const MAX_STEPS_ASIDE: u32 = 3;
+/// A kick cuts the tour in four places within this window.
+const WINDOW: u32 = 100;
 
 /// The initial mean loss accepted after a kick, in mean travel costs.
 const WARMTH: f64 = 4.0;
