@@ -144,7 +144,7 @@ pub enum Times {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MountedTool {
-    /// The kind: `suction_cup`, `gripper`, `pen` or `laser`.
+    /// The kind.
     pub kind: Tool,
     /// The distance from the wrist down to the tip, 0 to 200 mm; default 0. With a length, points
     /// with x, y and z are positions of the tip; with 0 they are positions of the wrist, as in the

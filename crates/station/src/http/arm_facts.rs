@@ -16,7 +16,7 @@ pub(super) struct ArmFacts {
     /// The lengths of its links and rods.
     dimensions: Dimensions,
     /// The tools that were sold with it.
-    tools: [ToolFacts; 4],
+    tools: [ToolFacts; Tool::ALL.len()],
     /// The ranges of its joints, by the current policy.
     joints: JointLimits,
     /// The workspace of its tool, by the current policy.

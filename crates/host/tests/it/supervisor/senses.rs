@@ -7,9 +7,10 @@ use dobot_controller::Personality;
 use dobot_host::VirtualStation;
 use dobot_safety::Policy;
 use dobot_supervisor::Refusal;
-use dobot_wire::{Command, Gesture, MoveTo, MovingMode, Voice, WriteVector};
+use dobot_wire::{Command, Gesture, JointJogAxis, MoveTo, MovingMode, Voice, WriteVector};
 
 use super::drawing::virtual_station;
+use super::stops::sent_since;
 use crate::cases::commands::target;
 
 fn sensed(command: Command) -> Request {
@@ -130,26 +131,22 @@ fn each_sense_sends_only_its_own_command() {
     }
 }
 
-/// Lets every sense try to move the arm and to say "go"; asserts that nothing is sent.
-fn nothing_is_sent_for_a_sense(station: &mut VirtualStation, client: ClientId) {
+/// Lets every sense try to move the arm and to say "go"; asserts that only what keeps it still is sent.
+fn no_sense_moves(station: &mut VirtualStation, client: ClientId) {
     let sent = station.packets().len();
     for (sense, command) in own_commands() {
         let asked = station.ask(client, Request::SensedCommand { sense, command });
         assert!(asked.is_err(), "{sense}: {asked:?}");
     }
-    let heard = Heard::Go;
-    let client_heard = Some(client);
-    station
-        .ask(
-            client,
-            Request::Heard {
-                client: client_heard,
-                heard,
-            },
-        )
-        .unwrap();
+    let go = Request::Heard {
+        client: Some(client),
+        heard: Heard::Go,
+    };
+    station.ask(client, go).unwrap();
     station.run_for(Duration::from_secs(2));
-    assert_eq!(station.packets().len(), sent);
+    let sent = sent_since(station, sent);
+    let stills = |command: &Command| matches!(command, Command::JointJog(jog) if matches!(jog.axis, JointJogAxis::LaserOff | JointJogAxis::Released));
+    assert!(sent.iter().all(stills), "{sent:?}");
 }
 
 #[test]
@@ -158,14 +155,13 @@ fn no_sense_clears_a_stop_confirms_a_pose_or_arms_the_laser() {
     let anna = station.client("Anna");
     station.ask(anna, Request::TakeLease).unwrap();
     station.ask(anna, Request::Stop { reason: None }).unwrap();
-    // What a stop sends has been sent by then.
     station.run_for(Duration::from_secs(3));
-    nothing_is_sent_for_a_sense(&mut station, anna);
+    no_sense_moves(&mut station, anna);
     assert!(station.supervisor().state().stop.is_some());
     station.ask(anna, Request::ResetStop).unwrap();
 
     station.distrust("its port was opened");
-    nothing_is_sent_for_a_sense(&mut station, anna);
+    no_sense_moves(&mut station, anna);
     assert!(!station.supervisor().state().trust.trusted);
     station.ask(anna, Request::ConfirmPose).unwrap();
 

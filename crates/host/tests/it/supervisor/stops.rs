@@ -19,7 +19,7 @@ fn target(y_mm: f32) -> Request {
 }
 
 /// Returns the commands put on the wire since then.
-fn sent_since(station: &VirtualStation, since: usize) -> Vec<Command> {
+pub(crate) fn sent_since(station: &VirtualStation, since: usize) -> Vec<Command> {
     let packets = station.packets()[since..].iter();
     let frame = |bytes: &[u8; 42]| Packet::from_bytes(bytes).expect("the station sends packets");
     packets
