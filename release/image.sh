@@ -3,11 +3,12 @@
 #
 #   release/image.sh [TARGET]
 #
-# Needs `docker` with a running daemon, or `buildah`. Without them it only checks that the Dockerfile names files of the archive.
+# Needs `docker` with a running daemon, or `buildah` (in a container with BUILDAH_ISOLATION=chroot). Without them it only checks
+# that the Dockerfile names files of the archive.
 source "$(dirname "${BASH_SOURCE[0]}")/settings.sh"
 
 main() {
-  local archive=dobot-$VERSION-$TARGET.tar.xz arguments
+  local archive=dobot-$VERSION-$TARGET.tar.xz arguments container
   check "$PRODUCTS/$archive"
   arguments=(--build-arg "ARCHIVE=$archive" --file release/Dockerfile --tag "dobot:$VERSION" "$PRODUCTS")
   if docker info >/dev/null 2>&1; then
@@ -16,6 +17,9 @@ main() {
     docker run --rm "dobot:$VERSION" move 220 0 30 --to virtual:
   elif command -v buildah >/dev/null; then
     buildah build "${arguments[@]}"
+    container=$(buildah from "localhost/dobot:$VERSION")
+    buildah run "$container" -- dobot move 220 0 30 --to virtual:
+    buildah rm "$container" >/dev/null
   else
     echo "left out: an image needs docker with a running daemon, or buildah"
   fi

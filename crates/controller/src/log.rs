@@ -6,6 +6,7 @@ use crate::Refused;
 
 /// The counters of a controller since power-up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Counters {
     /// Complete packets received, including voice.
     pub packets: u64,

@@ -70,6 +70,7 @@ pub enum Port {
 
 /// The power-up configuration of a controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct PowerUp {
     /// The personality.
     pub personality: Personality,
@@ -91,6 +92,23 @@ impl PowerUp {
             port: Port::Usb,
             rear_deg: 45.0,
             fore_deg: 45.0,
+        }
+    }
+
+    /// The same on another port.
+    #[must_use]
+    pub const fn with_port(self, port: Port) -> Self {
+        Self { port, ..self }
+    }
+
+    /// The same in another pose, by the tilt sensors: the rear arm in degrees from the vertical, the
+    /// forearm in degrees below the horizontal.
+    #[must_use]
+    pub const fn with_tilt(self, rear_deg: f64, fore_deg: f64) -> Self {
+        Self {
+            rear_deg,
+            fore_deg,
+            ..self
         }
     }
 }

@@ -36,6 +36,7 @@ pub struct Observer {
 
 /// A command that has ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct SeenOver {
     /// The command.
     pub command: Command,

@@ -27,6 +27,7 @@ enum ServedPort {
 
 /// A status and its role on this port.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ReceivedStatus {
     /// The status, with the 1000 mm of a message removed from X.
     pub status: Status,

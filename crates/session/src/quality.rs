@@ -9,6 +9,7 @@ use crate::permit_scheme::ReceivedStatus;
 
 /// The quality of a link, measured from its statuses.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct LinkQuality {
     /// Whether it leads to the Bluetooth port of a stock arm (note N38).
     pub bluetooth: bool,

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 /// The commands of a session that have not ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Queue {
     /// Commands that have not been sent.
     pub waiting: usize,

@@ -12,6 +12,7 @@ use crate::send_error::moves;
 /// The evidence of a reset: the base angle is set to 0, rear arm and forearm are read from their
 /// sensors again, and all settings are lost (notes N28 and N35).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ResetEvidence {
     /// Silence before this status, if it was longer than a few lost statuses.
     pub silent_for: Option<Duration>,

@@ -30,6 +30,7 @@ pub struct Plot<'a> {
 
 /// The arm at a control tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Snapshot {
     /// The time.
     pub at: Duration,

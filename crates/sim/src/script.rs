@@ -36,6 +36,7 @@ use self::words::{LineWords, bytes, packet, start, tilt, voice};
 /// # Ok::<(), dobot_sim::ScriptError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Script {
     /// The end of the run (`!end`). Without it the run stops as
     /// [`simulate`](crate::simulate()) describes.
@@ -52,6 +53,7 @@ pub struct Script {
 
 /// A line of a script: bytes and their start.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct ScriptLine {
     /// The start of the first byte.
     pub start: Start,

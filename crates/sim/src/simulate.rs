@@ -16,6 +16,7 @@ use crate::trace::{Trace, TracedStatus, TracedTick};
 
 /// The result of a script.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Simulation {
     /// The statuses, ticks and printed text.
     pub trace: Trace,
@@ -99,12 +100,11 @@ struct ScriptRun<'a> {
 
 impl<'a> ScriptRun<'a> {
     fn new(script: &'a Script, personality: Personality) -> Self {
-        let controller = Controller::power_up(PowerUp {
-            port: script.port,
-            rear_deg: script.rear_deg,
-            fore_deg: script.fore_deg,
-            ..PowerUp::new(personality)
-        });
+        let controller = Controller::power_up(
+            PowerUp::new(personality)
+                .with_port(script.port)
+                .with_tilt(script.rear_deg, script.fore_deg),
+        );
         Self {
             controller,
             feed: Feed::new(&script.lines),

@@ -13,6 +13,7 @@ pub use self::read::TraceError;
 
 /// The statuses, outputs and printed text of an arm.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Trace {
     /// The statuses, in order.
     pub statuses: Vec<TracedStatus>,
@@ -24,6 +25,7 @@ pub struct Trace {
 
 /// A status as sent.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct TracedStatus {
     /// The control tick that queued it; tick n happens at 20 n ms.
     pub tick: u32,
@@ -33,6 +35,7 @@ pub struct TracedStatus {
 
 /// The outputs of a control tick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct TracedTick {
     /// Motor pulses, servos and pins.
     pub outputs: Outputs,

@@ -236,6 +236,7 @@ impl<D: Direction> Drop for Packets<'_, '_, D> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
 pub struct Counts {
     /// Packets found, voice packets included.
     pub frames: u64,

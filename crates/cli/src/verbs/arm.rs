@@ -189,12 +189,9 @@ impl Args {
 
     /// Creates the arm with a number; each has its own random sequence.
     fn arm(&self, number: u64, scene: Option<&Scene>) -> VirtualArm {
-        let power_up = PowerUp {
-            personality: self.personality,
-            port: self.port,
-            rear_deg: self.pose.0,
-            fore_deg: self.pose.1,
-        };
+        let power_up = PowerUp::new(self.personality)
+            .with_port(self.port)
+            .with_tilt(self.pose.0, self.pose.1);
         let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
         let arm = if self.faults.is_empty() {
             arm

@@ -138,10 +138,7 @@ impl Args {
             let error = anyhow!("the personality {personality} has the USB port only");
             return Err(Failure::usage(error).with_hint("add `--personality firmware-1.1`"));
         }
-        let controller = Controller::power_up(PowerUp {
-            port,
-            ..PowerUp::new(personality)
-        });
+        let controller = Controller::power_up(PowerUp::new(personality).with_port(port));
         let arm = VirtualArm::new(controller, SerialLine::STOCK);
         Ok(Link::over_peer(InProcess::new(arm)))
     }

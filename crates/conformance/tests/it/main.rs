@@ -40,10 +40,7 @@ fn speaking(personality: Personality) -> InProcess {
 
 /// A stock arm on its Bluetooth port (note N38).
 fn over_bluetooth() -> InProcess {
-    arm(PowerUp {
-        port: Port::Bluetooth,
-        ..PowerUp::new(Personality::Firmware11)
-    })
+    arm(PowerUp::new(Personality::Firmware11).with_port(Port::Bluetooth))
 }
 
 /// One arm for each way in which a good controller may behave.
@@ -278,11 +275,7 @@ async fn the_arm_ends_where_it_began() {
 
 #[tokio::test]
 async fn an_arm_without_space_is_not_moved_and_the_error_says_where_to_stand() {
-    let raised = PowerUp {
-        rear_deg: 60.0,
-        fore_deg: 92.0,
-        ..PowerUp::default()
-    };
+    let raised = PowerUp::default().with_tilt(60.0, 92.0);
     let report = check(arm(raised), ON_A_PORT).await;
     let outcome = report.outcome("move-point").expect("it is one");
     assert!(

@@ -110,11 +110,7 @@ fn stands_within_the_limits(lab: &Lab) {
 #[test]
 fn an_arm_powered_up_outside_of_the_limits_can_be_jogged_in_but_not_further_out() {
     // rear - fore = 55, 20 more than allowed.
-    let outside = PowerUp {
-        rear_deg: 60.0,
-        fore_deg: 5.0,
-        ..PowerUp::new(Personality::Specification)
-    };
+    let outside = PowerUp::new(Personality::Specification).with_tilt(60.0, 5.0);
     Lab::power_up_with(outside)
         .send(joint(JointJogAxis::ForeMinus, 50.0))
         .wait_ms(1000)

@@ -15,12 +15,8 @@ fn reports_its_state_every_80_ms_from_60_ms_after_power_up() {
 
 #[test]
 fn starts_where_the_tilt_sensors_say_with_the_base_straight_ahead() {
-    let lab = Lab::power_up_with(PowerUp {
-        rear_deg: 60.0,
-        fore_deg: 30.0,
-        ..PowerUp::new(Personality::Specification)
-    })
-    .wait_ms(60);
+    let lab = Lab::power_up_with(PowerUp::new(Personality::Specification).with_tilt(60.0, 30.0))
+        .wait_ms(60);
     let status = lab.statuses[0].1;
     assert_eq!(
         (status.base_deg, status.rear_deg, status.fore_deg),

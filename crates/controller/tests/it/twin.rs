@@ -15,10 +15,7 @@ struct Twin {
 
 impl Twin {
     fn power_up(port: Port) -> Self {
-        let power_up = PowerUp {
-            port,
-            ..PowerUp::new(Personality::Firmware11)
-        };
+        let power_up = PowerUp::new(Personality::Firmware11).with_port(port);
         Self {
             controller: Controller::power_up(power_up),
             now: Duration::ZERO,

@@ -6,6 +6,7 @@ use dobot_wire::{Command, Configuration, Dialect, PlaybackAdjustment, single};
 
 /// The settings from configuration commands (states 9 and 10; Table 3.9).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ArmSettings {
     /// The speeds of point-to-point moves, before percentages.
     pub playback: Speeds,

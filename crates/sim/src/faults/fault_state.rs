@@ -91,11 +91,10 @@ impl FaultState {
         self.before = self.counted(controller);
         let joints = machine.joints_at(at);
         let [_, rear_zero_deg, fore_zero_deg, _] = self.zeros_deg;
-        Controller::power_up(PowerUp {
-            rear_deg: joints.rear.0 - rear_zero_deg + tilt.rear_deg,
-            fore_deg: joints.fore.0 - fore_zero_deg + tilt.fore_deg,
-            ..self.power_up
-        })
+        Controller::power_up(self.power_up.with_tilt(
+            joints.rear.0 - rear_zero_deg + tilt.rear_deg,
+            joints.fore.0 - fore_zero_deg + tilt.fore_deg,
+        ))
     }
 
     fn counted(&self, controller: &Controller) -> Counted {

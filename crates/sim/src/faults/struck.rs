@@ -7,6 +7,7 @@ use super::Fault;
 
 /// A fault event of a virtual arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Struck {
     /// The time since the first power-up.
     pub at: Duration,

@@ -6,6 +6,7 @@ use super::{STATUS_FIELDS, TICK_FIELDS, TICK_MS, Trace, TracedStatus, TracedTick
 
 /// The deviation of a trace from the expected one.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Comparison {
     /// The number of statuses at the same times in both.
     pub statuses: usize,

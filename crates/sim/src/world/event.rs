@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 /// An event with its time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
 pub struct Happened {
     /// The time in seconds since power-up.
     pub at_s: f64,

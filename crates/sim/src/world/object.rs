@@ -10,6 +10,7 @@ use super::place::{rounded, rounded_place};
 /// An object on the table or held by the tool.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "WorldObject")]
+#[non_exhaustive]
 pub struct Object {
     /// The unique name.
     pub name: String,

@@ -35,6 +35,7 @@ use super::{Object, Tool};
 /// # Ok::<(), dobot_sim::world::SceneError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Scene {
     /// The mounted tool.
     pub tool: Tool,
@@ -48,6 +49,7 @@ pub struct Scene {
 
 /// A sheet of paper, with its sides along X and Y. It has no thickness.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
 pub struct Paper {
     /// Its corner with the least X and Y.
     #[serde(with = "super::place::pair")]

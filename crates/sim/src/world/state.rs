@@ -8,6 +8,7 @@ use super::{Burn, Happened, Hole, Object, Paper, Stroke, Tool};
 /// The complete state of a world at a moment, to be stored, sent and drawn. Lengths are rounded to a
 /// thousandth of a millimetre.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
 pub struct WorldState {
     /// The time, in seconds since power-up.
     pub time_s: f64,
@@ -38,6 +39,7 @@ pub struct WorldState {
 /// The true pose of an arm and its actuators.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "TrueArm")]
+#[non_exhaustive]
 pub struct ArmState {
     /// Joint 1.
     pub base_deg: f64,

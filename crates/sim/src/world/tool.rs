@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 /// arm then reports is `down_z_mm`. The height of the tip above the table is z less `down_z_mm`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "WorldTool")]
+#[non_exhaustive]
 pub struct Tool {
     /// Z of the wrist when the tip touches the table, in the base frame.
     pub down_z_mm: f64,

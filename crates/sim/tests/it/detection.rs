@@ -20,12 +20,7 @@ struct Bench {
 
 impl Bench {
     fn new(personality: Personality, rear_deg: f64, fore_deg: f64, faults: &[&str]) -> Self {
-        let power_up = PowerUp {
-            personality,
-            rear_deg,
-            fore_deg,
-            ..PowerUp::default()
-        };
+        let power_up = PowerUp::new(personality).with_tilt(rear_deg, fore_deg);
         let read = |text: &&str| text.parse::<Fault>().expect("it is a fault");
         let faults: Vec<Fault> = faults.iter().map(read).collect();
         let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);

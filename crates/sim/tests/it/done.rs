@@ -230,10 +230,7 @@ struct Shown {
 
 impl Trial {
     fn new(personality: Personality, seed: u64) -> Self {
-        let power_up = PowerUp {
-            personality,
-            ..PowerUp::default()
-        };
+        let power_up = PowerUp::new(personality);
         let arm = InProcess::new(VirtualArm::new(
             Controller::power_up(power_up),
             SerialLine::STOCK,

@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+#[cfg(feature = "world")]
+mod burns;
 #[path = "../common/mod.rs"]
 mod common;
 mod damage;
@@ -17,8 +19,10 @@ mod recorder;
 mod recordings;
 mod report;
 mod resets;
+#[cfg(feature = "world")]
 mod scenes;
 mod scripts;
 mod session;
 mod traces;
+#[cfg(feature = "world")]
 mod world;

@@ -19,10 +19,7 @@ struct TestArm {
 
 impl TestArm {
     fn power_up(personality: Personality) -> Self {
-        let power_up = PowerUp {
-            personality,
-            ..PowerUp::default()
-        };
+        let power_up = PowerUp::new(personality);
         Self {
             controller: Controller::power_up(power_up),
             now: Duration::ZERO,

@@ -45,12 +45,9 @@ impl SessionInput {
         let mut decoder = Decoder::commands();
         let read = |packet| Command::parse(&packet, &Dialect::FIRMWARE_1_1).ok();
         Self {
-            power_up: PowerUp {
-                port: script.port,
-                rear_deg: script.rear_deg,
-                fore_deg: script.fore_deg,
-                ..PowerUp::new(Personality::Firmware11)
-            },
+            power_up: PowerUp::new(Personality::Firmware11)
+                .with_port(script.port)
+                .with_tilt(script.rear_deg, script.fore_deg),
             statuses: statuses.map(|it| (it.tick, frame(&it.floats))).collect(),
             joints,
             commands: decoder.feed(&bytes).filter_map(read).collect(),
@@ -98,11 +95,8 @@ impl SessionInput {
         at: Duration,
         joints: &Joints,
     ) -> (Session, Status) {
-        let mut controller = Controller::power_up(PowerUp {
-            rear_deg: joints.rear.0,
-            fore_deg: joints.fore.0,
-            ..self.power_up
-        });
+        let mut controller =
+            Controller::power_up(self.power_up.with_tilt(joints.rear.0, joints.fore.0));
         controller.handle_time(ms(400));
         while let Some(upload) = controller.poll_bytes() {
             session.handle_bytes(at + DEAF + upload.at + PACKET, &upload.bytes);

@@ -13,10 +13,7 @@ use dobot_wire::{
 use proptest::prelude::*;
 
 fn virtual_arm(personality: Personality, faults: &[&str], seed: u64) -> InProcess {
-    let power_up = PowerUp {
-        personality,
-        ..PowerUp::default()
-    };
+    let power_up = PowerUp::new(personality);
     let faults: Vec<Fault> = faults
         .iter()
         .map(|fault| fault.parse().expect("it is a fault"))

@@ -105,12 +105,13 @@ fn finds_the_statuses_of_a_stream_joined_at_a_false_header() {
     let mut decoder = statuses();
     let found = decode(&mut decoder, joined);
     assert!(found.len() == 19 && found.iter().all(|found| *found == sent));
-    let counts = Counts {
-        frames: 19,
-        skipped_bytes: 19,
-        resyncs: 1,
-    };
-    assert_eq!(decoder.counts(), counts);
+    let Counts {
+        frames,
+        skipped_bytes,
+        resyncs,
+        ..
+    } = decoder.counts();
+    assert_eq!((frames, skipped_bytes, resyncs), (19, 19, 1));
 }
 
 #[test]

@@ -14,10 +14,7 @@ use crate::cases::commands::{target, vector};
 
 /// A station with a stock arm whose Bluetooth port is served, received from its first status on.
 fn virtual_station() -> (VirtualStation, ClientId) {
-    let power_up = PowerUp {
-        port: Port::Bluetooth,
-        ..PowerUp::new(Personality::Firmware11)
-    };
+    let power_up = PowerUp::new(Personality::Firmware11).with_port(Port::Bluetooth);
     let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
     let mut station = VirtualStation::with_arm(arm, power_up, Policy::default());
     station.run_for(Duration::from_secs(1));
@@ -64,10 +61,7 @@ fn the_port_is_recognised_and_its_line_is_clean() {
 
 #[test]
 fn lost_statuses_are_counted_by_the_scheme_of_the_port() {
-    let power_up = PowerUp {
-        port: Port::Bluetooth,
-        ..PowerUp::new(Personality::Firmware11)
-    };
+    let power_up = PowerUp::new(Personality::Firmware11).with_port(Port::Bluetooth);
     let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
     let arm = arm.with_faults(power_up, &["drop=0.1%:from".parse().unwrap()], 9);
     let mut station = VirtualStation::with_arm(arm, power_up, Policy::default());
@@ -94,10 +88,7 @@ fn every_button_moves_its_own_joint() {
 #[test]
 fn a_button_that_is_pressed_with_the_first_status_moves_its_own_joint() {
     for after_ms in (0..400).step_by(20) {
-        let power_up = PowerUp {
-            port: Port::Bluetooth,
-            ..PowerUp::new(Personality::Firmware11)
-        };
+        let power_up = PowerUp::new(Personality::Firmware11).with_port(Port::Bluetooth);
         let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
         // The station connects when the arm has been sending for a while: any of its statuses may
         // be the first.

@@ -11,10 +11,7 @@ fn jump(x: f32, y: f32, z: f32, pause_s: f32) -> MoveTo {
 
 /// Five targets in one burst, with pauses of seconds: what a program of others was seen to send.
 async fn burst(personality: Personality, mode: MovingMode, latency: Duration) {
-    let power_up = PowerUp {
-        personality,
-        ..PowerUp::default()
-    };
+    let power_up = PowerUp::new(personality);
     let arm = InProcess::new(VirtualArm::new(
         Controller::power_up(power_up),
         SerialLine::STOCK,

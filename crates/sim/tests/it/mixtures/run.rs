@@ -84,10 +84,9 @@ struct Runner {
 impl Runner {
     fn new(mixture: &Mixture) -> Self {
         Self {
-            controller: Controller::power_up(PowerUp {
-                port: mixture.port,
-                ..PowerUp::new(Personality::Firmware11)
-            }),
+            controller: Controller::power_up(
+                PowerUp::new(Personality::Firmware11).with_port(mixture.port),
+            ),
             run: MixtureRun::default(),
             next_tick: 0,
             dropped: 0,

@@ -143,11 +143,7 @@ fn steps(program: &Program) -> impl Iterator<Item = (Duration, bool)> + use<'_> 
 
 fn power_up(program: &Program) -> PowerUp {
     let [rear_deg, fore_deg] = program.pose_deg;
-    PowerUp {
-        rear_deg,
-        fore_deg,
-        ..PowerUp::new(PERSONALITY)
-    }
+    PowerUp::new(PERSONALITY).with_tilt(rear_deg, fore_deg)
 }
 
 /// Plays the program on an arm without a station, leaving out what a station would refuse.
