@@ -172,11 +172,12 @@ fn of_name<'a>(root: &'a Value, field: &'a Value) -> &'a Value {
 /// Returns the nesting depth of lists that a schema allows, directly or in an alternative.
 fn lists_in(schema: &Value) -> usize {
     let is_list = |name: &Value| name == "array";
-    let of_list = || 1 + schema.get("items").map_or(0, lists_in);
+    let of_list = || schema.get("items").map_or(0, lists_in).saturating_add(1);
     match schema.get("type") {
         Some(Value::Array(types)) if types.iter().any(is_list) => of_list(),
         Some(name) if is_list(name) => of_list(),
         Some(_) => 0,
+        None if is_any(schema) => ANY,
         None => {
             let choices = ["anyOf", "oneOf"]
                 .iter()
@@ -186,6 +187,15 @@ fn lists_in(schema: &Value) -> usize {
         }
     }
 }
+
+/// Whether a schema allows every value, as that of a request for another station does.
+fn is_any(schema: &Value) -> bool {
+    let limits = ["$ref", "allOf", "anyOf", "const", "enum", "oneOf"];
+    schema == true || schema.is_object() && limits.iter().all(|name| schema.get(name).is_none())
+}
+
+/// The nesting depth of lists in a field that may hold every value.
+const ANY: usize = usize::MAX;
 
 /// Parses JSON without ambiguity: numbers within the range of the arm's numbers, no duplicate
 /// fields, and lists only where lists are allowed, since structures could be read from lists too.
@@ -253,8 +263,10 @@ impl<'de> Visitor<'de> for Plain<'_> {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Value, A::Error> {
-        let Some(lists) = self.lists.checked_sub(1) else {
-            return Err(de::Error::custom("found a list, which is not allowed here"));
+        let lists = match self.lists {
+            0 => return Err(de::Error::custom("found a list, which is not allowed here")),
+            ANY => ANY,
+            lists => lists - 1,
         };
         let mut list = Vec::new();
         while let Some(item) = items.next_element_seed(Self { lists, ..self })? {
@@ -266,7 +278,10 @@ impl<'de> Visitor<'de> for Plain<'_> {
     fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<Value, A::Error> {
         let mut map = Map::new();
         while let Some(name) = fields.next_key::<String>()? {
-            let lists = self.known.get(&name).copied().unwrap_or_default();
+            let lists = match self.lists {
+                ANY => ANY,
+                _ => self.known.get(&name).copied().unwrap_or_default(),
+            };
             if map.contains_key(&name) {
                 return Err(de::Error::custom(format_args!("duplicate field `{name}`")));
             }
