@@ -295,7 +295,7 @@ impl<'de> Visitor<'de> for Plain<'_> {
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
-    use dobot_api::{NewJob, Recipients, Request};
+    use dobot_api::{ApiRequest, NewJob, Recipients, Request};
     use dobot_wire::Command;
 
     use super::*;
@@ -325,6 +325,15 @@ mod tests {
         let named = read::<Recipients>(br#"{"members": ["desk-3", "desk-7"]}"#).unwrap();
         let expected = ["desk-3", "desk-7"].map(String::from).to_vec();
         assert_eq!(named, Recipients::Members(expected));
+    }
+
+    #[test]
+    fn a_request_for_another_station_may_have_lists_in_its_body() {
+        let text = r#"{"method": "PUT", "path": "/api/v1/slots", "body": {"slots": [{"days": [[1, 2]]}]}}"#;
+        let body = read::<ApiRequest>(text.as_bytes()).unwrap().body.unwrap();
+        assert_eq!(body["slots"][0]["days"][0][1], 2);
+        let (_, detail) = detail::<ApiRequest>(&text.replace("[1, 2]]", "[1, 2]], \"days\": []"));
+        assert!(detail.ends_with("duplicate field `days`"), "{detail}");
     }
 
     #[test]
