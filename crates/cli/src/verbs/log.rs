@@ -36,7 +36,7 @@ Examples:
   dobot log FILE FILE --export lerobot --task 'Draw a square.'
                                           a LeRobot dataset of both
   dobot log FILE --export mcap            a complete copy, also while it is written
-  dobot log FILE --export protobuf        the same for Rerun: poses, links and scenes in protobuf
+  dobot log FILE --export protobuf        the same for Rerun, in protobuf
   dobot log FILE --repair                 complete a recording that was cut off
 
 Times are in seconds from the start of the recording. Foxglove opens the files,
