@@ -201,8 +201,8 @@ const KILLED_EVERY: u64 = 50;
 fn rests(station: &VirtualStation, job: u64) -> bool {
     let works = |phase| matches!(phase, JobPhase::Queued | JobPhase::Running);
     let current = station.supervisor().job().filter(|view| view.job == job);
-    !works(station.job(job).unwrap().state.phase())
-        && !current.is_some_and(|current| works(current.phase))
+    let stored = station.job(job).expect("on the twin this works");
+    !works(stored.state.phase()) && !current.is_some_and(|current| works(current.phase))
 }
 
 /// Runs until the job rests, for ten hours at most.
