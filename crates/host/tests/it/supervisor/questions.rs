@@ -364,7 +364,7 @@ fn an_answer_moves_nothing_in_a_program_that_runs_step_by_step() {
 }
 
 /// A step that moves nothing, settings before a step, and a loop.
-const STEPS: &str = r#"
+const STEPS: &str = r"
 [[steps]]
 go = { x = 215, y = -35, z = 25 }
 [[steps]]
@@ -379,7 +379,7 @@ repeat = 2
 go = { x = 230, y = 10, z = 40 }
 [[steps.steps]]
 go = { x = 240, y = 20, z = 40 }
-"#;
+";
 
 #[test]
 fn each_request_runs_one_step_whichever_step_is_the_first() {
