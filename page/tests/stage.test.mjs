@@ -202,6 +202,27 @@ test("the target is dragged over the table by its tip, in millimetres", async ()
   assert.equal(last.rotation_deg, GHOST.rotation_deg);
 });
 
+test("a target is dragged from its new place before a frame shows it there", async () => {
+  await show({ ...WITH_ARM, ghost: { ...GHOST, y_mm: 60 }, draggable: true });
+  await look("top");
+  await drawn(page);
+  await page.evaluate((ghost) => {
+    const request = window.requestAnimationFrame;
+    window.requestAnimationFrame = () => 0;
+    window.goOn = () => void (window.requestAnimationFrame = request);
+    window.show({ ghost });
+  }, GHOST);
+  const { x, y } = onScreen("top", GHOST);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 60, y, { steps: 5 });
+  await page.mouse.up();
+  const last = (await targets()).at(-1);
+  await page.evaluate(() => window.goOn());
+  assert.equal(last?.phase, "drop");
+  assert.ok(last.y_mm < GHOST.y_mm - 20 && Math.abs(last.x_mm - GHOST.x_mm) < 3, JSON.stringify(last));
+});
+
 test("without a ghost the arm's own tool can be dragged, but not where dragging is disabled", async () => {
   await show({ ...WITH_ARM, arm: reported(50, 0), ghost: null, draggable: true });
   await look("top");

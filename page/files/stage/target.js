@@ -35,6 +35,14 @@ export function createTarget() {
     ray.setFromCamera(pointer, camera);
   }
 
+  /** Keeps the handles as large as a finger needs. @param {PerspectiveCamera} camera */
+  function size(camera) {
+    if (!at) return;
+    const far = camera.position.distanceTo(new Vector3(at.x_mm, at.y_mm, at.z_mm));
+    const tall = 2 * far * Math.tan(rad(camera.fov / 2));
+    handles.scale(Math.min(2.2, Math.max(0.55, (tall * SHARE) / RING_MM)));
+  }
+
   /** @param {View} view @param {Pose | null} own where the arm is, whose tool can be taken where there is no ghost */
   function show(view, own) {
     at = view.ghost ?? own;
@@ -60,16 +68,13 @@ export function createTarget() {
       handles.paint(color, look.paper);
       drop.material.color.set(color);
     },
-    /** Keeps the handles as large as a finger needs. @param {PerspectiveCamera} camera */
-    size(camera) {
-      if (!at) return;
-      const far = camera.position.distanceTo(new Vector3(at.x_mm, at.y_mm, at.z_mm));
-      const tall = 2 * far * Math.tan(rad(camera.fov / 2));
-      handles.scale(Math.min(2.2, Math.max(0.55, (tall * SHARE) / RING_MM)));
-    },
+    size,
     /** Returns the handle under the pointer. @param {PerspectiveCamera} camera @param {Vector2} pointer @returns {Handle | null} */
     under(camera, pointer) {
       if (!handles.group.visible) return null;
+      // The last frame may be older than the place.
+      size(camera);
+      handles.group.updateMatrixWorld();
       aim(camera, pointer);
       return handles.hit(ray);
     },
