@@ -54,6 +54,18 @@ class Constants extends Blockly.zelos.ConstantProvider {
 /** @type {Set<string>} */ const styled = new Set();
 Blockly.blockRendering.register("dobot", Renderer);
 
+/**
+ * Blockly brings a connection to the front in the next frame, by moving all beside it behind it. The block that a key has selected
+ * in the meantime may be among them, and what moves loses the focus: it gets it back before the next key.
+ */
+const { highlight } = Blockly.RenderedConnection.prototype;
+Blockly.RenderedConnection.prototype.highlight = function () {
+  /** @type {Element | null} */ let focused = null;
+  requestAnimationFrame(() => (focused = document.activeElement));
+  highlight.call(this);
+  requestAnimationFrame(() => focused !== document.activeElement && /** @type {SVGElement | null} */ (focused)?.focus({ preventScroll: true }));
+};
+
 /** @param {HTMLElement} host @param {Outside} outside */
 export function createWorkspace(host, { shapes, language, t, changed, chosen, here }) {
   const kinds = kindsOf(shapes);
