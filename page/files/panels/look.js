@@ -2,7 +2,7 @@
 
 import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
-import { HUES, MARKER_MM, hasCup, lookBlockedReason, spotInPicture, thingsOf } from "../state/look.js";
+import { HUES, MARKER_MM, hasCup, lookBlockedReason, spotInPicture, thingsOf, transferBlockedReason } from "../state/look.js";
 import { onSheet } from "../vision/geometry.js";
 import { unlessFocused } from "../parts/unless_focused.js";
 
@@ -41,7 +41,7 @@ function picture(context) {
   const { page, t, act } = context;
   const { seen, rate, spot, is_above, held, surface_mm } = page.look;
   const [wide, high] = seen?.view?.size ?? [640, 480];
-  const why = lookBlockedReason(page);
+  const why = lookBlockedReason(page), whyNoPlace = transferBlockedReason(page);
   const click = (/** @type {PointerEvent} */ event) => {
     const view = page.look.seen?.view;
     if (!view || why) return;
@@ -70,7 +70,7 @@ function picture(context) {
         @change=${(/** @type {Event} */ event) => setSurface(/** @type {HTMLInputElement} */ (event.target))}></label>
       ${moved ? html`<button id="look-settled" type="button" @click=${() => act.look.settled()}>${t(`look.settled.${moved}`)}</button>` : nothing}
       <button id="look-down" type="button" ?disabled=${why !== null || !is_above || !spot} @click=${() => act.look.down()}>${t("look.down")}</button>
-      <button id="look-place" type="button" ?disabled=${why !== null || !spot || !held} @click=${() => act.look.place()}>${t("look.place")}</button>
+      <button id="look-place" type="button" title=${whyNoPlace ? t(whyNoPlace) : ""} ?disabled=${whyNoPlace !== null || !spot || !held} @click=${() => act.look.place()}>${t("look.place")}</button>
     </div>`;
 }
 
@@ -81,7 +81,7 @@ const notes = ({ page, t }) => (page.look.seen?.troubles ?? []).filter((it) => i
 function things(context) {
   const { page, t, act } = context;
   const all = thingsOf(page.look);
-  const why = lookBlockedReason(page);
+  const why = transferBlockedReason(page);
   const row = (/** @type {Thing} */ { name, marker, x_mm, y_mm, turn_deg, height_mm, measured_mm }) => {
     const label = marker === null ? t(/** @type {"look.hue.red"} */ (`look.hue.${name}`)) : t("look.marker", { number: marker });
     return html`
@@ -91,7 +91,7 @@ function things(context) {
           <label class="field"><span>${t("look.height")} <small>mm</small></span><input type="number" min="0" max="150" step="any" .value=${unlessFocused(height_mm === null ? "" : String(height_mm))}
             @change=${(/** @type {Event} */ event) => setHeight(name, /** @type {HTMLInputElement} */ (event.target))}></label>
           ${height_mm === null && measured_mm !== null ? html`<button type="button" class="small" data-act="measure" title=${t("look.measured.hint", { side: MARKER_MM })} @click=${() => act.send({ type: "look_height", name, height_mm: Math.round(measured_mm) })}>${t("look.measured", { mm: measured_mm.toFixed(0) })}</button>` : nothing}
-          <button type="button" class="small strong" data-act="pick" ?disabled=${why !== null || height_mm === null || !hasCup(page)} @click=${() => act.look.pick(name)}>${t("look.pick")}</button>
+          <button type="button" class="small strong" data-act="pick" title=${why ? t(why) : ""} ?disabled=${why !== null || height_mm === null || !hasCup(page)} @click=${() => act.look.pick(name)}>${t("look.pick")}</button>
         </div>
       </li>`;
   };

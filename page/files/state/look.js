@@ -2,7 +2,7 @@
 
 import { heightOfMarker, inPicture, onSheet, placeOfMarker } from "../vision/geometry.js";
 import { paperOf } from "./paper.js";
-import { blockedReason, mountedTool } from "./selectors.js";
+import { blockedReason, mountedTool, rests } from "./selectors.js";
 
 /** @typedef {import("./state.js").Page} Page */
 /** @typedef {import("../vision/look.js").Seen} Seen */
@@ -31,17 +31,18 @@ export const HUES = /** @type {const} */ ({ red: 0, yellow: 55, green: 130, blue
  * @property {number} surface_mm The height above the sheet of what a person clicks on, such as a tray.
  * @property {{ x_mm: number, y_mm: number } | null} spot Where a person clicked.
  * @property {boolean} is_above Whether the tool was sent above the spot.
+ * @property {boolean} is_sent Whether the tool was sent somewhere, and no state of the station shows it yet.
  * @property {string | null} held The object that was picked up.
  * @property {boolean} answers Whether a running program that asks where a marker is gets the answer.
  */
 
 /** @type {Look} */
-export const NO_LOOK = { camera: "off", refused: null, cameras: [], chosen: "", hue: "", seen: null, rate: 0, heights: {}, selected: null, surface_mm: 0, spot: null, is_above: false, held: null, answers: false };
+export const NO_LOOK = { camera: "off", refused: null, cameras: [], chosen: "", hue: "", seen: null, rate: 0, heights: {}, selected: null, surface_mm: 0, spot: null, is_above: false, is_sent: false, held: null, answers: false };
 
 /** @typedef {{ type: "look_camera", camera: Look["camera"], refused?: string | null }
  * | { type: "look_cameras", cameras: Look["cameras"] }
  * | { type: "look_seen", seen: Seen, rate: number }
- * | { type: "look_set", set: Partial<Pick<Look, "chosen" | "hue" | "selected" | "spot" | "is_above" | "held" | "answers">> }
+ * | { type: "look_set", set: Partial<Pick<Look, "chosen" | "hue" | "selected" | "spot" | "is_above" | "is_sent" | "held" | "answers">> }
  * | { type: "look_surface", surface_mm: number }
  * | { type: "look_height", name: string, height_mm: number }} LookMessage */
 
@@ -106,6 +107,12 @@ export function lookBlockedReason(page) {
   if (unseen) return /** @type {const} */ (`look.${unseen}`);
   if (blocked) return /** @type {const} */ (`blocked.${blocked}`);
   return page.draw.paper || page.around ? null : /** @type {const} */ ("look.no_paper");
+}
+
+/** Why nothing can be picked up or put down: a text key. Both are jobs, which start only with the arm at rest. @param {Page} page */
+export function transferBlockedReason(page) {
+  const { look, station } = page;
+  return lookBlockedReason(page) ?? (station && rests(station) && !look.is_sent ? null : /** @type {const} */ ("blocked.moving"));
 }
 
 /** Whether the arm can pick things up. @param {Page} page */

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { NO_LOOK, askedThing, lookBlockedReason, reduceLook, spotInPicture, thingsOf } from "./look.js";
+import { NO_LOOK, askedThing, lookBlockedReason, reduceLook, spotInPicture, thingsOf, transferBlockedReason } from "./look.js";
 import { homography, onSheet } from "../vision/geometry.js";
 
 /** A camera straight above, 400 mm high: a pixel is a millimetre. */
@@ -51,6 +51,18 @@ test("a moved sheet, hidden corners and blur prevent that anything moves; glare 
   const page = (troubles) => ({ look: looks(seen(troubles)), connection: "closed", station: null, draw: { paper: null }, around: null });
   for (const trouble of ["sheet_moved", "few_corners", "blurred"]) assert.equal(lookBlockedReason(page([trouble])), `look.${trouble}`);
   for (const troubles of [[], ["glare"], ["camera_moved"]]) assert.equal(lookBlockedReason(page(troubles)), "blocked.no_connection");
+});
+
+test("nothing is picked up or put down while the arm moves, or before a state shows that it was sent somewhere", () => {
+  const page = (moving, is_sent = false) => ({
+    look: { ...looks(seen()), is_sent }, connection: "open", me: 7, role: "control", draw: { paper: { z_mm: 0, slope_x: 0, slope_y: 0 } }, jobs: { starting: false },
+    station: { link: { phase: "up" }, trust: { trusted: true }, arm: { moving }, lease: { client: 7 } },
+  });
+  assert.equal(transferBlockedReason(page(false)), null);
+  assert.equal(transferBlockedReason(page(true)), "blocked.moving");
+  assert.equal(transferBlockedReason(page(false, true)), "blocked.moving");
+  // A click in the picture may send a moving arm elsewhere.
+  assert.equal(lookBlockedReason(page(true, true)), null);
 });
 
 test("a program is answered only about the marker that it asks for, once its height is known", () => {

@@ -2,7 +2,7 @@
 // station marked as the camera's; it checks them like all others.
 
 import { isSecure, refusalOf, stopTracks } from "./media.js";
-import { ABOVE_MM, HUES, askedThing, lookBlockedReason, paperHeight, thingsOf } from "../state/look.js";
+import { ABOVE_MM, HUES, askedThing, lookBlockedReason, paperHeight, thingsOf, transferBlockedReason } from "../state/look.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {ReturnType<typeof createLook>} LookRequests */
@@ -34,6 +34,8 @@ export function createLook(store, http, socket, jobs) {
   /** Where the object that a program asks for was in the last pictures. @type {Thing[]} */ let steady = [];
   /** Counts openings: an answer to an earlier question for the camera is ignored. */
   let openings = 0;
+  /** Whether the station took the last move, and no state has shown it yet. */
+  let isTaken = false;
   for (const [name, height_mm] of Object.entries(JSON.parse(localStorage.getItem(HEIGHTS) ?? "{}"))) send({ type: "look_height", name, height_mm: Number(height_mm) });
 
   const canvas = document.createElement("canvas");
@@ -129,6 +131,10 @@ export function createLook(store, http, socket, jobs) {
         send({ type: "look_camera", camera: "off" });
       }
     }
+    if (isTaken && (message.type === "state" || message.type === "closed")) {
+      isTaken = false;
+      send({ type: "look_set", set: { is_sent: false } });
+    }
     if (message.type === "look_height") localStorage.setItem(HEIGHTS, JSON.stringify(page.look.heights));
   });
 
@@ -140,8 +146,13 @@ export function createLook(store, http, socket, jobs) {
     socket.takeControlIfFree();
     const z_mm = paper_mm + above_mm;
     const { suction, gripper_deg, rotation_deg } = arm;
+    send({ type: "look_set", set: { is_sent: true } });
     const { problem } = await socket.ask({ type: "sensed_command", sense: "camera", command: { type: "move_to", x_mm, y_mm, z_mm, rotation_deg, mode, suction, gripper_deg, pause_s: 0 } });
-    if (problem) send({ type: "problem", problem });
+    isTaken = !problem;
+    if (problem) {
+      send({ type: "look_set", set: { is_sent: false } });
+      send({ type: "problem", problem });
+    }
     return !problem;
   }
 
@@ -176,13 +187,13 @@ export function createLook(store, http, socket, jobs) {
     /** @param {string} name */
     async pick(name) {
       const thing = thingsOf(store.page.look).find((it) => it.name === name);
-      if (!thing || thing.height_mm === null || lookBlockedReason(store.page)) return;
+      if (!thing || thing.height_mm === null || transferBlockedReason(store.page)) return;
       if (await transfer(`camera: pick up ${name}`, true, thing, thing.height_mm)) send({ type: "look_set", set: { held: name, selected: null } });
     },
     /** Puts what is held down at the spot. */
     async place() {
       const { spot, held } = store.page.look;
-      if (!spot || !held || lookBlockedReason(store.page)) return;
+      if (!spot || !held || transferBlockedReason(store.page)) return;
       if (await transfer(`camera: put ${held} down`, false, spot, heightThere(store.page.look))) send({ type: "look_set", set: { held: null, is_above: false } });
     },
   };
