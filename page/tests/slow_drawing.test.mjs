@@ -33,6 +33,15 @@ function slowDown() {
   };
 }
 
+/** Opens the page anew: it has not seen a slow frame yet. */
+async function reload() {
+  await page.reload();
+  await page.waitForSelector("#stage[data-shown='3d']");
+  await page.click("#take");
+  await page.waitForSelector("[data-axis=y_plus]:enabled");
+  await rest(page);
+}
+
 /** Waits until the stage is flat, with the reason. */
 async function isFlat() {
   await page.waitForSelector("#stage[data-shown='2d']");
@@ -74,6 +83,7 @@ test("while a button is held, each slow frame is followed by four times as long 
 });
 
 test("after two interrupted holds the stage is flat, and says why", async () => {
+  await reload();
   await bench.setDeadMan();
   for (const axis of ["y_minus", "y_plus"]) {
     assert.equal(await page.getAttribute("#stage", "data-shown"), "3d");
@@ -90,11 +100,7 @@ test("after two interrupted holds the stage is flat, and says why", async () => 
 });
 
 test("after two slow frames while a button is held the stage is flat, and the hold goes on", async () => {
-  await page.reload();
-  await page.waitForSelector("#stage[data-shown='3d']");
-  await page.click("#take");
-  await page.waitForSelector("[data-axis=y_plus]:enabled");
-  await rest(page);
+  await reload();
   await page.evaluate((ms) => { window.slow_ms = ms; }, SLOW_FRAME_MS);
   const from = traffic.packets.length;
   await press(page, "y_plus");

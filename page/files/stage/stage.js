@@ -53,7 +53,8 @@ export function createStage(element) {
 
   /** @param {number} now_ms */
   function draw(now_ms) {
-    if (!isDue(now_ms)) return outside.changed();
+    // The frame may have been asked for before the previous one was painted, and measured.
+    if (wait_ms() > 0 || !isDue(now_ms)) return outside.changed();
     budget.begin(drawing.kind === "3d" && isHeld ? reportSlow : undefined);
     const at = motion.at(performance.now() / 1000);
     if (next3d) prepare(next3d, at?.joints ?? null);
