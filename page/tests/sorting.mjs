@@ -44,7 +44,8 @@ export async function openSorting(options = {}) {
     ...bench, shoot,
     /** Takes a photo whenever the arm takes or releases an object, until the state of the station is so. */
     async shootUntil(isSo) {
-      for (let shown = "", is_over = false; !is_over; await setTimeout(50)) {
+      for (let shown = "", is_over = false, tries = 0; !is_over; await setTimeout(50)) {
+        if ((tries += 1) > 1200) throw new Error(`the state of the station never becomes what was waited for: ${isSo}`);
         is_over = isSo(await bench.ask("api/v1/state"));
         const held = (await bench.ask("api/v1/world")).held.join();
         if (held !== shown) await shoot();
@@ -112,7 +113,10 @@ export async function tellSorting(hand, { shoot, shootUntil, shareOf }, seen) {
   await hand.click("#teach-once");
   await page.waitForSelector("#job-question");
   await hand.click("#tab-look");
+  // What is below the picture stays where it is once the objects are found.
+  await page.waitForSelector("[data-thing='marker 9']");
   await hand.click("#look-answers");
+  await page.waitForSelector("#look-answers:checked");
   await shootUntil(({ job }) => job === null || job.phase === "done");
   await seen("sorted");
 

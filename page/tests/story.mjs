@@ -43,7 +43,7 @@ export class Hand {
   }
 
   async click(selector) {
-    await this.page.waitForFunction((selector) => document.querySelector(selector)?.disabled !== true, selector);
+    await this.page.waitForFunction((selector) => document.querySelector(selector) && !document.querySelector(selector).disabled, selector);
     await this.to(selector);
     await this.page.mouse.down();
     await this.page.mouse.up();
