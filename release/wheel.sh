@@ -21,7 +21,6 @@ main() {
   cp "$PROGRAMS/dobot$EXE" "$scripts"
   module
   for wheel in "$PRODUCTS"/*.whl; do
-    python release/squeeze.py "$wheel"
     python - "$wheel" "$BUILD/stage/module" <<<"$SIZE_WITHOUT_PROGRAM"
     at_most "$BUILD/stage/module" 8000000
     at_most "$wheel" 33000000
