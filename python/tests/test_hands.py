@@ -52,9 +52,8 @@ def test_a_hand_means_what_it_means_on_the_page(case: dict[str, Any]) -> None:
 
 def test_a_point_that_is_no_number_sends_nothing_and_an_open_hand_has_to_be_held_again() -> None:
     hand = Hand()
-    for picture in pictures([{"times": 11, "hands": [OPEN]}]):
-        last = hand.look(picture)
-    assert last.state == "controls"
+    states = [hand.look(picture).state for picture in pictures([{"times": 11, "hands": [OPEN]}])]
+    assert states[-1] == "controls"
     broken = SeenHand(0.95, [(float("nan"), 0.0)] * 21)
     assert [hand.look(Picture(550 + 50 * n, [broken], ASPECT)) for n in range(8)] == [Meaning("unsure")] * 8
     assert hand.look(Picture(950, [seen(OPEN)], ASPECT)) == Meaning("opening")
