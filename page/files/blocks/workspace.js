@@ -55,8 +55,8 @@ class Constants extends Blockly.zelos.ConstantProvider {
 Blockly.blockRendering.register("dobot", Renderer);
 
 /**
- * Blockly brings a connection to the front in the next frame, by moving all beside it behind it. The block that a key has selected
- * in the meantime may be among them, and what moves loses the focus: it gets it back before the next key.
+ * To highlight a connection, Blockly reorders its siblings in the next frame. A block that a key has selected since then may be
+ * among them, and loses the focus when it is moved: give it back in the same frame, before the next key.
  */
 const { highlight } = Blockly.RenderedConnection.prototype;
 Blockly.RenderedConnection.prototype.highlight = function () {

@@ -14,7 +14,7 @@ function afterPaint(action) {
   port2.postMessage(null);
 }
 
-/** Resolves in a task of its own, before which input is handled. @returns {Promise<void>} */
+/** Resolves in a later task, so that input is handled first. @returns {Promise<void>} */
 export const nextTask = () => new Promise(afterPaint);
 
 /** @param {() => number} now in ms @param {typeof afterPaint} after */
@@ -57,7 +57,7 @@ export function createFrames(draw) {
   }
 
   return {
-    /** Asks for a frame after a wait; an earlier one counts for a later one, too. @param {number} wait_ms 0 for the next frame */
+    /** Asks for a frame after a wait. A frame that is due earlier serves this request, too. @param {number} wait_ms 0 for the next frame */
     ask(wait_ms) {
       if (frame || (timer !== undefined && wait_ms > 0)) return;
       cancel();
