@@ -135,6 +135,11 @@ step_licences() {
   if [[ -n $unknown ]]; then
     fail "may we ship these? then add their licences to the list in ci.sh:$unknown"
   fi
+  for package in crates/* page; do
+    for licence in LICENSE-MIT LICENSE-APACHE; do
+      cmp -s "$package/$licence" "$licence" || fail "$package/$licence is not a link to $licence: a package would lack its licence"
+    done
+  done
 }
 
 dependencies() {
@@ -153,7 +158,7 @@ step_lint() {
 # Words that a reader stumbles over (tests/lint/words.txt), and misspelled ones (_typos.toml).
 check_words() {
   local found
-  # `told` is a field of the API and a key of the fleet.
+  # `told` is a field of the API.
   found=$(git grep -nIiEf tests/lint/words.txt -- '*.md' page/files 'crates/*/src/*' python/src python/dobot_arm \
     ':!page/files/vendor' ':!docs/style.md' ':!*tests*' ':!*.test.js' |
     grep -viE '[.`"/]told\b|\btold[?]?: ' || true)

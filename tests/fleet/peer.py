@@ -31,7 +31,7 @@ with zenoh.open(config) as session:
     names = sorted(key.split("/")[4] for key in alive)
     assert names == ["desk-1", "desk-2", "desk-3"], alive
 
-    reported = [json.loads(reply.ok.payload.to_string()) for reply in session.get("dobot/2/*/*/told", timeout=10.0)]
+    reported = [json.loads(reply.ok.payload.to_string()) for reply in session.get("dobot/2/*/*/state", timeout=10.0)]
     assert len(reported) == 3, reported
     for one in reported:
         assert one["state"]["link"]["phase"] == "up", one

@@ -125,7 +125,7 @@ impl Sheet {
                 r#"<path d="M{left} 188H{right}M{left} 184v8M{right} 184v8M148.5 196V206l-2 -3m2 3l2 -3"/>"#,
                 r#"<g fill="black" stroke="none" text-anchor="middle"><text x="148.5" y="186">"#,
                 "sheet {number}: print at 100 %, and measure this bar from end to end</text>",
-                r#"<text x="185" y="203">the arm stands here, {near} mm from this edge to its axis</text></g></g></svg>"#,
+                r#"<text x="152.5" y="203" text-anchor="start">the arm stands here, {near} mm from this edge to its axis</text></g></g></svg>"#,
                 "\n"
             ),
             left = (WIDE_MM - bar_mm) / 2.0,

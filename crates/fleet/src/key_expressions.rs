@@ -143,7 +143,7 @@ pub(crate) fn of_all(what: &str) -> String {
 }
 
 /// The published state of a station.
-pub(crate) const STATE: &str = "told";
+pub(crate) const STATE: &str = "state";
 /// The public requests of a station, and stops.
 pub(crate) const API: &str = "api";
 /// The exchange of the fleet's stops.
@@ -192,7 +192,7 @@ mod tests {
         ] {
             assert_eq!(Alive::of(&key), None, "{key}");
         }
-        let of_other_messages = format!("dobot/9/desk-3/{id}/told");
+        let of_other_messages = format!("dobot/9/desk-3/{id}/state");
         assert_eq!(MemberKey::of_resource(&of_other_messages, STATE), None);
     }
 }

@@ -40,7 +40,7 @@
 //! | key | contents |
 //! |---|---|
 //! | `dobot/alive/2/VERSION/NAME/ID/START/PROOF` | the liveliness token of a station; `PROOF` is a signature of the preceding parts and the signer's certificate |
-//! | `dobot/2/NAME/ID/told` | published, and returned to queries: `{"about": MemberAbout, "state": State}`, with its number and a signature attached |
+//! | `dobot/2/NAME/ID/state` | published, and returned to queries: `{"about": MemberAbout, "state": State}`, with its number and a signature attached |
 //! | `dobot/2/NAME/ID/api` | takes an [`ApiRequest`](dobot_api::ApiRequest) to GET or to stop, without a token, and returns an [`ApiAnswer`](dobot_api::ApiAnswer) with a signature attached |
 //! | `dobot/2/NAME/ID/sealed` | takes all other requests, which only this station can read |
 //! | `dobot/2/NAME/ID/stops` | takes the fleet's stops known to the sender, and returns its own: lists of [`FleetWideStop`](dobot_api::FleetWideStop), with a signature attached |

@@ -61,7 +61,7 @@ fn state_statement(member: &MemberKey, run: u64, count: u64, state: &[u8]) -> Ve
     let MemberKey { name, id } = member;
     let (run, count) = (run.to_be_bytes(), count.to_be_bytes());
     statement(
-        "told",
+        "state",
         &[name.as_bytes(), id.as_bytes(), &run, &count, state],
     )
 }

@@ -39,6 +39,7 @@ mod policy_error;
 mod sections;
 mod settings;
 mod swept_path;
+mod text_lines;
 mod validate;
 mod violation;
 
@@ -51,4 +52,5 @@ pub use sections::{
     AccelerationCeilings, ArmBody, JogRules, JointLimits, JumpRules, LaserRules, QueueRules,
     SpeedCeilings, Table, ToolLengths, VoiceRules, Workspace,
 };
+pub use text_lines::{line_at, line_of};
 pub use violation::{Location, RejectedValue, Violation};

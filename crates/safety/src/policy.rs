@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::validate::{line_of, problem};
+use crate::text_lines::line_of;
+use crate::validate::problem;
 use crate::{
     AccelerationCeilings, ArmBody, JogRules, JointLimits, JumpRules, KeepOut, LaserRules,
     PolicyError, QueueRules, SpeedCeilings, Table, ToolLengths, VoiceRules, Workspace,

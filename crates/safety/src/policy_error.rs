@@ -5,6 +5,8 @@ use std::ops::Range;
 
 use thiserror::Error;
 
+use crate::text_lines::line_at;
+
 /// The error returned for an invalid policy: the line, what was found and what is allowed.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("{}{reason}", At(*.line))]
@@ -51,12 +53,6 @@ impl PolicyError {
             reason: format!("{key} is {found}; a policy allows {allowed}"),
         }
     }
-}
-
-/// Returns the line of an offset in a text, counted from 1.
-pub(crate) fn line_at(text: &str, offset: usize) -> usize {
-    text.get(..offset)
-        .map_or(1, |before| before.split('\n').count())
 }
 
 struct At(Option<usize>);

@@ -1,10 +1,9 @@
 //! The range check of a policy's values, and the line of the first one out of range.
 
 use dobot_arm::Limits;
-use toml::de::{DeTable, DeValue};
 
 use crate::body::PIVOT;
-use crate::policy_error::{InvalidValue, line_at};
+use crate::policy_error::InvalidValue;
 use crate::{Area, Bounds, KeepOut, Policy};
 
 /// Returns the first value that is not allowed.
@@ -25,24 +24,6 @@ pub(crate) fn problem(policy: &Policy) -> Option<InvalidValue> {
                     .or_else(|| around_the_base(name, keep_out, policy.arm.radius_mm))
             })
         })
-}
-
-/// Returns the line of a key in a file; if the key itself is missing, of the nearest table present.
-pub(crate) fn line_of(text: &str, key: &str) -> Option<usize> {
-    let document = DeTable::parse(text).ok()?;
-    let mut table = document.get_ref();
-    let mut offset = None;
-    for part in key.split('.') {
-        let Some((name, value)) = table.iter().find(|(name, _)| *name.get_ref() == part) else {
-            break;
-        };
-        offset = Some(name.span().start);
-        match value.get_ref() {
-            DeValue::Table(inner) => table = inner,
-            _ => break,
-        }
-    }
-    offset.map(|offset| line_at(text, offset))
 }
 
 /// Ranges and their widest values, which are what the arm itself can do.

@@ -4,6 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use dobot_arm::Tool;
+use dobot_safety::line_of;
 use serde::Deserialize;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue, ValueDeserializer};
@@ -13,7 +14,7 @@ use crate::lines::Lines;
 use crate::place::Point;
 use crate::plain::plain;
 use crate::program::{Frame, Grid, MountedTool, Offset};
-use crate::read::{NO_STEPS, line_of};
+use crate::read::NO_STEPS;
 use crate::similar::nearest;
 use crate::step_table::StepTable;
 use crate::{Action, Place, Program, ProgramError, Steps};

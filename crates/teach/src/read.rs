@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use toml::de::{DeTable, DeValue};
+use dobot_safety::line_of;
 
 use crate::document::on_lines;
 use crate::lines::Lines;
@@ -240,24 +240,6 @@ fn check_name<T>(kind: &str, name: &str, known: &BTreeMap<String, T>) -> Result<
             names.join(", ")
         )
     })
-}
-
-/// The line of a key in a text, or of the nearest table that is written out.
-pub(crate) fn line_of(text: &str, key: &str) -> Option<usize> {
-    let document = DeTable::parse(text).ok()?;
-    let mut table = document.get_ref();
-    let mut offset = None;
-    for part in key.split('.') {
-        let Some((name, value)) = table.iter().find(|(name, _)| *name.get_ref() == part) else {
-            break;
-        };
-        offset = Some(name.span().start);
-        match value.get_ref() {
-            DeValue::Table(inner) => table = inner,
-            _ => break,
-        }
-    }
-    offset.map(|offset| Lines::of(text).at(offset))
 }
 
 /// The first line whose key has too many dots.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use dobot_plan::{DrawingTool, Laser, Pen};
+use dobot_safety::line_at;
 use dobot_teach::nearest;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -231,12 +232,6 @@ impl Range {
         let Self(least, most, unit) = self;
         format!("a number from {least} to {most} {unit}")
     }
-}
-
-/// Returns the line of an offset in a text, counted from 1.
-fn line_at(text: &str, offset: usize) -> usize {
-    let before = text.get(..offset);
-    before.map_or(1, |before| before.split('\n').count())
 }
 
 #[expect(

@@ -504,7 +504,7 @@ async fn an_invalid_request_is_answered_with_its_error() {
         assert_eq!(answer["status"], status, "{answer}");
     }
     // A state under an unknown name is ignored.
-    stranger.put("dobot/2/ghost/00/told", "{}").await.unwrap();
+    stranger.put("dobot/2/ghost/00/state", "{}").await.unwrap();
     let token = "dobot/alive/9/9.9.9/future/00112233445566778899aabbccddeeff";
     let _token = stranger.liveliness().declare_token(token).await.unwrap();
     let versions = |members: &[Member]| {
@@ -592,7 +592,7 @@ async fn a_station_that_waits_for_reports_of_the_others_is_stopped_meanwhile() {
     let (router, at) = router(free_port()).await;
     let stranger = stranger(&at).await;
     // A station that does not answer state queries.
-    let silent = "dobot/2/silent/00112233445566778899aabbccddeeff/told";
+    let silent = "dobot/2/silent/00112233445566778899aabbccddeeff/state";
     let silent = stranger.declare_queryable(silent).await.unwrap();
     let is_stopped_first = async || {
         let one = Desk::up("desk-1", &at, None).await;

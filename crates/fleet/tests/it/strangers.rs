@@ -157,7 +157,7 @@ async fn a_report_in_the_name_of_another_member_is_not_shown() {
         .iter()
         .find(|member| member.name == "desk-2")
         .unwrap();
-    let key = format!("dobot/2/desk-2/{}/told", desk.id);
+    let key = format!("dobot/2/desk-2/{}/state", desk.id);
     let mut about = desk.about.clone().unwrap();
     about.groups = vec!["forged".into()];
     about.page = Some("javascript:alert(1)".into());

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::anyhow;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, Args, Command, CommandFactory, Id};
+use dobot_safety::line_at;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -247,12 +248,6 @@ fn needs(words: &[OsString]) -> Result<Vec<String>, String> {
 
 fn key_text(key: &Spanned<toml::de::DeString<'_>>) -> String {
     key.get_ref().to_string()
-}
-
-/// The line of an offset in a text, counted from 1.
-fn line_at(text: &str, offset: usize) -> usize {
-    let before = text.get(..offset);
-    before.map_or(1, |before| before.split('\n').count())
 }
 
 const KEYS: &str =
