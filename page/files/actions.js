@@ -200,8 +200,12 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     /** Moves only the gripper. @param {number} gripper_deg */
     grip: (gripper_deg) => void moveJoints({ gripper_deg }),
 
-    /** Opens a drawing, or a timeline in the preview. @param {File} file */
+    /** Opens a program, a drawing, or a timeline in the preview. @param {File} file */
     openFile(file) {
+      if (/\.(toml|xml|play|playback)$/i.test(file.name)) {
+        send({ type: "tab", tab: "teach" });
+        return void teach.open(file);
+      }
       send({ type: "tab", tab: "draw" });
       if (!/\.json$/i.test(file.name)) return send({ type: "draw_file", file });
       // Reading a large timeline takes a second, and STOP cannot wait for it.

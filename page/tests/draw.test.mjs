@@ -37,6 +37,12 @@ async function ink() {
   return points.length ? [ends(0), ends(1)] : null;
 }
 
+test("a dropped program opens under Teach", async () => {
+  await drop("loop.toml", '[[steps]]\nmove = { x_mm = 200, y_mm = 0, z_mm = 20 }\n');
+  await page.waitForSelector("#teach-title:has-text('loop.toml')");
+  await page.click("#tab-draw");
+});
+
 test("a dropped file is planned, moved by hand, and drawn at its place", async () => {
   await drop("square.svg", SVG);
   await waitForText("Takes ");

@@ -223,6 +223,28 @@ test("a target is dragged from its new place before a frame shows it there", asy
   assert.ok(last.y_mm < GHOST.y_mm - 20 && Math.abs(last.x_mm - GHOST.x_mm) < 3, JSON.stringify(last));
 });
 
+test("the camera stops where a target is grabbed", async () => {
+  await show({ ...WITH_ARM, ghost: GHOST, draggable: true });
+  await look("top");
+  await drawn(page);
+  const { x, y } = onScreen("top", GHOST);
+  await page.mouse.move(x, y);
+  await page.emulateMedia({ reducedMotion: "no-preference" });
+  await look("iso");
+  await page.mouse.down();
+  // Longer than the camera would take to arrive.
+  await page.evaluate(async () => {
+    const began = performance.now();
+    while (performance.now() - began < 600) await new Promise((done) => requestAnimationFrame(done));
+  });
+  await page.mouse.move(x + 60, y, { steps: 5 });
+  await page.mouse.up();
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  const last = (await targets()).at(-1);
+  assert.equal(last?.phase, "drop");
+  assert.ok(last.y_mm < GHOST.y_mm - 20 && Math.abs(last.x_mm - GHOST.x_mm) < 12, JSON.stringify(last));
+});
+
 test("without a ghost the arm's own tool can be dragged, but not where dragging is disabled", async () => {
   await show({ ...WITH_ARM, arm: reported(50, 0), ghost: null, draggable: true });
   await look("top");

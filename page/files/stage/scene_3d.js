@@ -112,7 +112,10 @@ export function createScene3d(element, outside, card) {
       const handle = target.under(lens, pointer(at));
       target.light(handle);
       last = null;
-      return handle !== null && target.grab(handle, lens, pointer(at));
+      if (handle === null || !target.grab(handle, lens, pointer(at))) return false;
+      // What a hand drags stays under it.
+      if (swing) look(camera);
+      return true;
     },
     drag(at) {
       last = target.drag(lens, pointer(at)) ?? last;
