@@ -21,6 +21,7 @@ main() {
   cp "$PROGRAMS/dobot$EXE" "$scripts"
   module
   for wheel in "$PRODUCTS"/*.whl; do
+    python - "$wheel" <<<"$CHECK"
     python - "$wheel" "$BUILD/stage/module" <<<"$SIZE_WITHOUT_PROGRAM"
     at_most "$BUILD/stage/module" 8000000
     at_most "$wheel" 33000000
@@ -36,6 +37,23 @@ module() {
   (cd python && maturin build --profile dist --locked --target "$TARGET" --out "$PRODUCTS" \
     --compression-level 9 ${for_linux[@]+"${for_linux[@]}"} -- -C lto=fat)
 }
+
+# The wheel contains our licences and those of what is linked, and what an index shows of it.
+readonly CHECK='
+import sys, zipfile
+from email import message_from_bytes
+wheel = zipfile.ZipFile(sys.argv[1])
+sizes = {file.filename: file.file_size for file in wheel.infolist()}
+for name, least in ("LICENSE-MIT", 500), ("LICENSE-APACHE", 5000), ("LICENSES-OF-OTHERS.txt", 50_000):
+    if not any(path.endswith(f".dist-info/licenses/{name}") and size >= least for path, size in sizes.items()):
+        sys.exit(f"{sys.argv[1]} lacks {name}")
+about = message_from_bytes(wheel.read(next(path for path in sizes if path.endswith(".dist-info/METADATA"))))
+for field in "Summary", "License-Expression", "Author", "Project-URL", "Classifier", "Description-Content-Type":
+    if not about[field]:
+        sys.exit(f"{sys.argv[1]} lacks {field} in its metadata")
+if len(about.get_payload()) < 500:
+    sys.exit(f"{sys.argv[1]} lacks a description")
+'
 
 # A file as large as the wheel is without the program.
 readonly SIZE_WITHOUT_PROGRAM='
