@@ -501,8 +501,7 @@ const LONG_LINES: &str = "
 
 A line of 96 mm in each material and with each pen. In its middle the arm is stopped, the job is paused, or the station is
 killed or freezes with its watchdog present. The figures are the longest times in seconds until the laser is off, or the pen
-rests. Limits: 0.5 s for a laser; 0.7 s for a pen, 1.5 s in a pause, in which it slows down on its line; for a marker 0.8 s and
-1.7 s.
+rests. Limits: 0.5 s for a laser; 0.7 s for a pen, 1.5 s in a pause, in which it slows down on its line.
 ";
 
 const LONG_LINES_END: &str = "

@@ -174,10 +174,9 @@ const BEGIN_MM: f64 = -48.0;
 /// A laser is off by then, and a pen goes no farther along its line, in seconds; in a pause a pen slows down on its line besides.
 /// What speeds up or brakes is not cut into pieces: a fast pen does so for longer.
 fn most_s(end: LineEnd, tool: DrawingTool) -> f64 {
-    let fast_s = (tool.speed_mm_s() - 40.0).max(0.0) / 200.0;
     match end {
         _ if tool.burns() => 0.5,
-        LineEnd::Paused => 1.5 + 2.0 * fast_s,
-        _ => 0.7 + fast_s,
+        LineEnd::Paused => 1.5,
+        _ => 0.7,
     }
 }
