@@ -195,6 +195,7 @@ levels() {
 step_lint-all() {
   needs_component clippy clippy
   build cargo clippy --locked --all-features "${FEATURED[@]}" --lib --bins --tests --examples -- -D warnings
+  build cargo clippy --locked -p dobot-sim --no-default-features --lib --tests -- -D warnings
 }
 
 # The tests of `cargo test`. The selection of packages is that of the other steps, so that one build serves all.
@@ -210,6 +211,7 @@ step_test-all() {
   report_failures cargo test --locked --all-features "${FEATURED[@]}" --lib --bins --test it --no-fail-fast
   report_failures cargo test --locked --all-features "${FEATURED[@]}" --test process --no-fail-fast -- \
     agents:: datasets:: http_agents:: together::
+  report_failures cargo test --locked -p dobot-sim --no-default-features --lib --tests --no-fail-fast
   report_failures cargo test --locked --all-features "${FEATURED[@]}" --doc --no-fail-fast
 }
 

@@ -77,7 +77,13 @@ pub enum ServerEvent {
 enum Happening {
     Time,
     Connect((TcpStream, SocketAddr)),
-    Curious(TcpStream),
+    Curious(
+        #[cfg_attr(
+            not(feature = "world"),
+            expect(dead_code, reason = "there is no world to show")
+        )]
+        TcpStream,
+    ),
     Bytes(io::Result<usize>),
 }
 
