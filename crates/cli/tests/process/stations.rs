@@ -440,6 +440,9 @@ fn a_stop_and_its_reason_hold_at_the_next_start() {
     let draw = ["draw", &example("square.svg"), "--pen-down", "-40"];
     again.dobot(&draw).fails(1, &["finger caught"]);
     again.dobot(&["stop", "--reset"]).succeeds();
+    while std::fs::read_to_string(&kept).is_ok_and(|text| text.contains("finger caught")) {
+        std::thread::yield_now();
+    }
     let mut again = again;
     again.station.kill();
     let last = again.again();
