@@ -1,11 +1,13 @@
 //! `dobot decode`: decodes packets and prints their fields.
 
+#[cfg(feature = "full")]
 mod capture;
 mod content;
 mod input;
 mod judge;
 mod reader;
 mod rounded;
+mod starts;
 mod stock;
 mod text;
 
@@ -39,6 +41,7 @@ a file is detected:
   dumps            of xxd, xxd -p, hexdump -C, od -t x1, and socat -x with both
                    directions
   pcap, pcapng     TCP connections, reassembled, with times; gaps are reported
+                   (not in a program built without --features full)
 
 Each packet is decoded by itself, so that a file may contain both directions.
 A command whose meaning depends on the dialect is shown in each dialect unless

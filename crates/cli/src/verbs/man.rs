@@ -1,12 +1,14 @@
 //! `dobot man`: prints or writes manual pages.
 
-use std::fs;
 use std::path::PathBuf;
 
+#[cfg(feature = "full")]
 use anyhow::Context;
 
+#[cfg(feature = "full")]
 use crate::command_line;
 use crate::failure::Failure;
+#[cfg(feature = "full")]
 use crate::output;
 
 /// Print or write manual pages
@@ -21,13 +23,19 @@ pub(crate) struct Args {
     out: Option<PathBuf>,
 }
 
+#[cfg(feature = "full")]
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let Some(folder) = &args.out else {
         let mut page = Vec::new();
         clap_mangen::Man::new(command_line::command()).render(&mut page)?;
         return Ok(output::bytes(&page)?);
     };
-    let written = fs::create_dir_all(folder)
+    let written = std::fs::create_dir_all(folder)
         .and_then(|()| clap_mangen::generate_to(command_line::command(), folder));
     Ok(written.with_context(|| format!("cannot write manual pages to {}", folder.display()))?)
+}
+
+#[cfg(not(feature = "full"))]
+pub(crate) fn run(_: &Args) -> Result<(), Failure> {
+    Err(dobot_api::NotBuilt("manual pages").into())
 }

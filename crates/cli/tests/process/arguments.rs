@@ -293,16 +293,33 @@ fn tokens_are_made_listed_and_removed() {
 }
 
 #[test]
-fn shells_get_their_completions_and_readers_their_manual() {
+fn shells_get_their_completions() {
     for shell in ["bash", "zsh", "fish"] {
         let script = dobot(&["completions", shell]).succeeds().stdout;
         assert!(script.contains("simulate"), "{shell}");
     }
+}
+
+#[cfg(feature = "full")]
+#[test]
+fn readers_get_their_manual() {
     assert!(dobot(&["man"]).succeeds().stdout.contains(".TH dobot 1"));
     let folder = tempfile::tempdir().expect("there is room");
     let pages = folder.path().join("man1");
     dobot(&["man", "--out", pages.to_str().expect("the path is text")]).succeeds();
     assert!(pages.join("dobot.1").exists() && pages.join("dobot-draw.1").exists());
+}
+
+#[cfg(not(feature = "full"))]
+#[test]
+fn parts_that_are_not_built_in_say_how_to_get_them() {
+    let capture = crate::decoding::sample("ethernet.pcap");
+    for (arguments, part) in [
+        (&["man"][..], "manual pages"),
+        (&["decode", &capture], "network captures"),
+    ] {
+        dobot(arguments).fails(1, &[part, "--features full"]);
+    }
 }
 
 #[test]

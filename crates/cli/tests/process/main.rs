@@ -4,6 +4,7 @@
 mod agents;
 mod arguments;
 mod calibrating;
+#[cfg(feature = "full")]
 mod captures;
 mod conformance;
 #[cfg(feature = "full")]

@@ -5,8 +5,12 @@ use std::path::Path;
 
 use anyhow::{Context, anyhow};
 
+#[cfg(feature = "full")]
+use super::capture;
 use super::input::{BINARY, Input};
-use super::{capture, text};
+#[cfg(not(feature = "full"))]
+use super::starts::is_capture;
+use super::text;
 use crate::failure::Failure;
 
 /// Reads what the arguments name: a file, standard input, or the bytes themselves.
@@ -40,8 +44,13 @@ fn of_arguments(input: &[String]) -> Result<Input, Failure> {
 
 /// Detects the format of bytes: a capture, text or binary packets.
 pub(super) fn of_bytes(bytes: Vec<u8>) -> Result<Input, Failure> {
+    #[cfg(feature = "full")]
     if let Some(input) = capture::read(&bytes) {
         return Ok(input?);
+    }
+    #[cfg(not(feature = "full"))]
+    if is_capture(&bytes) {
+        return Err(dobot_api::NotBuilt("network captures").into());
     }
     match as_text(&bytes) {
         Some(text) => text::read(text).map_err(not_read),

@@ -2,6 +2,8 @@
 
 use anyhow::{Context, anyhow, bail};
 
+use super::super::starts::{PCAP, PCAP_BIG, PCAP_NS, PCAP_NS_BIG, PCAPNG};
+
 /// A capture file.
 #[derive(Debug)]
 pub(super) struct File<'a> {
@@ -24,12 +26,12 @@ pub(super) struct Frame<'a> {
 /// Reads a capture; `None` if the bytes do not start like one.
 pub(super) fn read(bytes: &[u8]) -> Option<anyhow::Result<File<'_>>> {
     let mut frames = Vec::new();
-    let (format, result) = match bytes.first_chunk::<4>()? {
-        [0xD4, 0xC3, 0xB2, 0xA1] => ("pcap", pcap(bytes, Order::Little, 1000, &mut frames)),
-        [0xA1, 0xB2, 0xC3, 0xD4] => ("pcap", pcap(bytes, Order::Big, 1000, &mut frames)),
-        [0x4D, 0x3C, 0xB2, 0xA1] => ("pcap", pcap(bytes, Order::Little, 1, &mut frames)),
-        [0xA1, 0xB2, 0x3C, 0x4D] => ("pcap", pcap(bytes, Order::Big, 1, &mut frames)),
-        [0x0A, 0x0D, 0x0D, 0x0A] => ("pcapng", pcapng(bytes, &mut frames)),
+    let (format, result) = match *bytes.first_chunk::<4>()? {
+        PCAP => ("pcap", pcap(bytes, Order::Little, 1000, &mut frames)),
+        PCAP_BIG => ("pcap", pcap(bytes, Order::Big, 1000, &mut frames)),
+        PCAP_NS => ("pcap", pcap(bytes, Order::Little, 1, &mut frames)),
+        PCAP_NS_BIG => ("pcap", pcap(bytes, Order::Big, 1, &mut frames)),
+        PCAPNG => ("pcapng", pcapng(bytes, &mut frames)),
         _ => return None,
     };
     let damage = result
