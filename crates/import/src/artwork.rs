@@ -11,6 +11,8 @@ pub struct Artwork {
     pub height_mm: f64,
     /// Whether the file defines a page.
     pub has_page: bool,
+    /// Whether it is the same at any tolerance, because it has no curves; `false` if that is unknown.
+    pub is_exact: bool,
     /// The layers in the order of the file; each becomes a separate pass.
     pub layers: Vec<Layer>,
 }

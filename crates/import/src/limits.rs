@@ -45,6 +45,11 @@ impl Budget {
         self.curved.set(self.curved.get().saturating_add(segments));
     }
 
+    /// Whether any curve was noted.
+    pub(crate) const fn has_curves(&self) -> bool {
+        self.curved.get() > 0
+    }
+
     fn over(&self) -> OverBudget {
         let limit = self.limit;
         if self.curved.get() > limit / MIN_CURVED {

@@ -74,6 +74,7 @@ pub(crate) fn read(
         width_mm: page.x,
         height_mm: page.y,
         has_page: true,
+        is_exact: false,
         layers: vec![Layer {
             strokes,
             ..Layer::default()

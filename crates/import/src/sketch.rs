@@ -487,6 +487,7 @@ impl<'a> Sketch<'a> {
             return Err(SourceError::nothing_to_draw(reasons));
         }
         let mut artwork = Artwork {
+            is_exact: !self.budget.has_curves(),
             layers: self.layers,
             ..Artwork::default()
         };

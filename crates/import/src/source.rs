@@ -66,12 +66,6 @@ impl Source {
         self.picture().is_none()
     }
 
-    /// Whether the result is independent of its size: it has no curves that need a finer tolerance.
-    #[must_use]
-    pub const fn is_same_at_any_size(&self) -> bool {
-        matches!(self, Self::Lines(_))
-    }
-
     /// Whether it has letters that need installed fonts.
     #[must_use]
     pub fn needs_fonts(&self) -> bool {

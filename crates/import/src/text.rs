@@ -246,10 +246,10 @@ fn on_page(layer: Layer) -> Artwork {
         *p -= bounds.origin().to_vec2();
     }
     Artwork {
-        has_page: false,
         width_mm: bounds.width(),
         height_mm: bounds.height(),
         layers,
+        ..Artwork::default()
     }
 }
 

@@ -67,8 +67,7 @@ pub(crate) fn in_cells(artworks: &[Artwork], grid: Grid, gap_mm: f64) -> Artwork
     let mut all = Artwork {
         width_mm: step.x * f64::from(grid.columns) - gap_mm,
         height_mm: step.y * f64::from(grid.rows) - gap_mm,
-        has_page: false,
-        layers: Vec::new(),
+        ..Artwork::default()
     };
     let cells = (0..grid.rows).flat_map(|row| (0..grid.columns).map(move |column| (column, row)));
     for ((column, row), (artwork, ink)) in cells.zip(artworks.iter().zip(&inks).cycle()) {
@@ -101,6 +100,7 @@ mod tests {
             height_mm: 200.0,
             has_page: true,
             layers: vec![layer],
+            ..Artwork::default()
         };
         let all = in_cells(&[page], "2x3".parse().unwrap(), 5.0);
         assert_eq!((all.width_mm, all.height_mm), (25.0, 70.0));

@@ -148,6 +148,7 @@ mod tests {
                 strokes: vec![line],
                 ..Layer::default()
             }],
+            ..Artwork::default()
         }
     }
 

@@ -29,10 +29,8 @@ pub(super) fn read(
     };
     let begin = |source| Reading::begin(source, settings).map_err(|error| named(source, error));
     let mut readings: Vec<Reading> = sources.iter().map(begin).collect::<Result<_, _>>()?;
-    // Sources in their final size need not be kept.
-    let for_good = readings
-        .iter()
-        .all(|reading| reading.source.source.is_same_at_any_size());
+    // What is not read again need not be kept.
+    let for_good = readings.iter().all(|reading| reading.artwork.is_exact);
     let mut page = PlacedPage::new(&mut readings, settings, for_good)?;
     let most_reads = if for_good { 0 } else { MAX_READS };
     for _ in 0..most_reads {
@@ -224,7 +222,7 @@ impl<'a> Reading<'a> {
 
     /// Reads the source again if it was read for a different size; returns whether it was.
     fn read_for(&mut self, scale: f64, flatten_mm: f64) -> Result<bool, SourceError> {
-        if self.source.source.is_same_at_any_size() {
+        if self.artwork.is_exact {
             return Ok(false);
         }
         if self.source.source.has_size() {
@@ -253,6 +251,7 @@ fn corners(page: Point) -> Artwork {
         width_mm: page.x,
         height_mm: page.y,
         has_page: true,
+        is_exact: false,
         layers: vec![corners],
     }
 }

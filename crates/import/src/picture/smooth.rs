@@ -19,21 +19,28 @@ pub(super) fn smoothed(tone: &Tone, cancel: &CancelToken) -> Tone {
 
 fn round(before: &[f32], tone: &mut Tone, cancel: &CancelToken) {
     let (width, height) = (tone.width, tone.height);
+    // A flow into one cell is one out of its neighbour: each is computed once, and none crosses an edge.
+    let (mut from_below, mut to_above) = (vec![0.0; width], vec![0.0; width]);
+    let mut from_right = vec![0.0; width + 1];
     for y in (0..height).take_while(|_| !cancel.is_cancelled()) {
         let row = |y: usize| &before[y * width..][..width];
-        let (above, here, below) = (
-            row(y.saturating_sub(1)),
-            row(y),
-            row((y + 1).min(height - 1)),
-        );
+        let (here, below) = (row(y), row((y + 1).min(height - 1)));
+        flows(here, below, &mut from_below);
+        flows(here, &here[1..], &mut from_right[1..width]);
+        let (to_left, from_right) = (&from_right[..width], &from_right[1..]);
         let ink = &mut tone.ink[y * width..][..width];
         for x in 0..width {
-            let own = here[x];
-            let left = here[x.saturating_sub(1)];
-            let right = here[(x + 1).min(width - 1)];
-            let flow = [above[x], below[x], left, right].map(|other| flow(other - own));
-            ink[x] = own + SPEED * flow.iter().sum::<f32>();
+            let sum = from_below[x] - to_above[x] - to_left[x] + from_right[x];
+            ink[x] = here[x] + SPEED * sum;
         }
+        std::mem::swap(&mut from_below, &mut to_above);
+    }
+}
+
+/// Sets the flow into each of these cells from the other.
+fn flows(here: &[f32], others: &[f32], into: &mut [f32]) {
+    for ((into, own), other) in into.iter_mut().zip(here).zip(others) {
+        *into = flow(other - own);
     }
 }
 

@@ -148,6 +148,35 @@ fn the_knot_is_one_line_in_two_rings() {
 }
 
 #[test]
+fn a_drawing_is_exact_if_it_is_the_same_at_any_tolerance() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/drawings");
+    let is_exact = |name: &str| {
+        let source = Source::of_file(name, fs::read(folder.join(name)).unwrap()).unwrap();
+        let [fine, coarse] = [0.001, 1.0].map(|tolerance_mm| {
+            let options = ReadOptions {
+                tolerance_mm,
+                ..ReadOptions::default()
+            };
+            source.read(&options).unwrap().0
+        });
+        assert_eq!(fine.is_exact, fine == coarse, "{name}");
+        fine.is_exact
+    };
+    let names = [
+        "wave.csv",
+        "knot.json",
+        "square.svg",
+        "harbour.svg",
+        "leaf.gcode",
+        "bracket.dxf",
+        "dial.plt",
+        "tag.lbrn2",
+    ];
+    let exact = names.map(is_exact);
+    assert_eq!(exact, [true, true, true, false, false, false, false, false]);
+}
+
+#[test]
 fn a_name_with_an_unknown_extension_is_reported_with_the_known_ones() {
     let error = Source::of_file("letter.txt", b"Dear reader".to_vec()).unwrap_err();
     assert_eq!(

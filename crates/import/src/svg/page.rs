@@ -79,6 +79,7 @@ impl SvgPage {
             width_mm,
             height_mm,
             has_page: true,
+            is_exact: !self.work.budget.has_curves(),
             layers,
         };
         if entangled > 0 {

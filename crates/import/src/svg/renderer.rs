@@ -186,6 +186,7 @@ impl<'a> TreeRenderer<'a> {
                 fill: None,
             };
             let corners = strokes.iter().map(|stroke| stroke.points.len()).sum();
+            self.page.work.budget.note_curve(corners);
             self.page.work.budget.spend(corners)?;
             self.page.shape(strokes, transform, &ink, clips)?;
         }

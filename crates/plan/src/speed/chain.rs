@@ -15,7 +15,6 @@ use crate::speed::speeds::Speeds;
 #[derive(Clone, Debug)]
 pub(crate) struct ChainSpeeds {
     cornering: Cornering,
-    begin_mm_s: f64,
     cancel: CancelToken,
     /// Seconds between packets.
     period_s: f64,
@@ -24,6 +23,7 @@ pub(crate) struct ChainSpeeds {
     junctions: Vec<Junction>,
     /// The target duration of each vector, in s.
     wanted_s: Vec<f64>,
+    speeds: Vec<Speeds>,
     /// The speeds at the last check of the sampled acceleration.
     sampled: Vec<Speeds>,
 }
@@ -35,12 +35,12 @@ impl ChainSpeeds {
                 acceleration_mm_s2: arm_limits.planned_acceleration_mm_s2(),
                 ..arm_limits.cornering()
             },
-            begin_mm_s: 0.0,
             cancel: CancelToken::default(),
             period_s: arm_limits.link.period_s,
             credit: Credit::new(arm_limits.link),
             junctions: Vec::new(),
             wanted_s: Vec::new(),
+            speeds: Vec::new(),
             sampled: Vec::new(),
         }
     }
@@ -79,20 +79,23 @@ impl ChainSpeeds {
         chain: &'a mut [ChainVector],
         objective: Objective,
     ) -> impl Iterator<Item = Speeds> + 'a {
-        self.begin_mm_s = begin_mm_s;
-        match objective {
-            Objective::Even => self.lower_to_link(chain, 0),
+        self.cornering
+            .set_junctions(begin_mm_s, chain, &mut self.junctions);
+        let slow_from = match objective {
+            Objective::Even => Some(0),
             Objective::Fast => {
                 self.plan_motion(chain);
                 // Up to the first wait the queue covers short vectors, so their limits need not be
                 // lowered.
-                if let Some(waits) = self.first_wait() {
-                    self.lower_to_link(chain, waits.saturating_sub(REACH));
-                }
+                self.first_wait().map(|waits| waits.saturating_sub(REACH))
             }
+        };
+        if let Some(from) = slow_from {
+            self.lower_to_link(chain, from);
+            self.plan_motion(chain);
         }
         self.plan_with_link(chain);
-        (0..chain.len()).map(|i| self.speeds(chain, i))
+        self.speeds.iter().copied()
     }
 
     /// Returns the first vector that would finish before the next one arrives, after the queue is
@@ -120,15 +123,14 @@ impl ChainSpeeds {
         }
     }
 
-    /// Iterates until acceleration and link limits hold. Without a link every vector is available
-    /// immediately.
+    /// Iterates until acceleration and link limits hold, from the planned motion. Without a link every
+    /// vector is available immediately.
     fn plan_with_link(&mut self, chain: &mut [ChainVector]) {
         self.sampled.clear();
         for round in 0..ROUNDS {
             if self.cancel.is_cancelled() {
                 break;
             }
-            self.plan_motion(chain);
             let credit = self.credit;
             let keeps_up = self.wait_for_link(chain);
             // Stop only when neither the corners nor the link changed anything in this round.
@@ -136,6 +138,7 @@ impl ChainSpeeds {
                 return;
             }
             self.credit = credit;
+            self.plan_motion(chain);
         }
         // Slow enough regardless of the neighbours.
         for run in chain.iter_mut() {
@@ -154,25 +157,24 @@ impl ChainSpeeds {
         if chain.len() < 2 {
             return false;
         }
-        let speeds: Vec<Speeds> = (0..chain.len()).map(|i| self.speeds(chain, i)).collect();
         let a = self.cornering.acceleration_mm_s2;
         let before = self.sampled.iter().map(Some).chain(repeat(None));
-        let changed: Vec<bool> = speeds
+        let changed: Vec<bool> = self
+            .speeds
             .iter()
             .zip(before)
             .map(|(now, before)| Some(now) != before)
             .collect();
-        let shares = SampledMotion::new(chain, &speeds, a).shares(MIN_SHARE, &changed);
+        let shares = SampledMotion::new(chain, &self.speeds, a).shares(MIN_SHARE, &changed);
         for (corner, share) in shares.iter().enumerate().filter(|share| *share.1 < 1.0) {
-            chain[corner].corner_mm_s = speeds[corner].end_mm_s * share.powi(power);
+            chain[corner].corner_mm_s = self.speeds[corner].end_mm_s * share.powi(power);
         }
-        self.sampled = speeds;
+        self.sampled.clone_from(&self.speeds);
         shares.iter().any(|share| *share < 1.0)
     }
 
     fn plan_motion(&mut self, chain: &[ChainVector]) {
-        self.cornering
-            .speeds(self.begin_mm_s, chain, &mut self.junctions);
+        self.cornering.set_speeds(chain, &mut self.junctions);
         let junctions = self.junctions.windows(2).zip(chain);
         self.wanted_s.clear();
         self.wanted_s.extend(
@@ -180,22 +182,26 @@ impl ChainSpeeds {
         );
     }
 
-    /// Extends vectors to the time that the link needs; if a vector cannot be that slow between its
-    /// end speeds, its limit is lowered. Returns whether none was lowered.
+    /// Sets the speeds, of vectors extended to the time that the link needs; if a vector cannot be that
+    /// slow between its end speeds, its limit is lowered. Returns whether none was lowered.
     fn wait_for_link(&mut self, chain: &mut [ChainVector]) -> bool {
         let (mut credit, mut done) = (self.credit, true);
+        self.speeds.clear();
         for i in 0..chain.len() {
             let least_s = credit.least_s();
             if self.wanted_s[i] < least_s {
                 self.wanted_s[i] = least_s;
             }
-            let can_s = self.speeds(chain, i).duration_s;
+            let mut speeds = self.speeds(chain, i);
+            let can_s = speeds.duration_s;
             // The ends are too fast for such a slow vector; lowering the limit slows the ends too.
             if can_s < least_s * (1.0 - 1e-9) {
                 let run = &mut chain[i];
                 run.limit_mm_s = run.limit_mm_s.min(run.length_mm / least_s) * SLOWER;
                 done = false;
+                speeds = self.speeds(chain, i);
             }
+            self.speeds.push(speeds);
             credit.take(can_s.max(least_s));
         }
         if done {

@@ -59,6 +59,8 @@ pub struct Cornering {
 pub struct Junction {
     /// The squared speed in the middle of the arc.
     pub v2: f64,
+    /// The maximum of `v2` without the limits of the vectors.
+    most_v2: f64,
     /// The maximum squared speed on the arc; infinite if the path is straight.
     cap_v2: f64,
     /// The length of the arc's tangents along both vectors, in mm.
@@ -66,6 +68,10 @@ pub struct Junction {
     /// Cosine and sine of the turn.
     cos: f64,
     sin: f64,
+    /// Half of the turn in rad, its cosine and its sine.
+    half_turn: f64,
+    half_cos: f64,
+    half_sin: f64,
 }
 
 impl Cornering {
@@ -90,12 +96,23 @@ impl Cornering {
     /// 4. On an arc only what the turning leaves of the acceleration changes the speed; see
     ///    `Junction::half_arc`.
     pub fn speeds(self, begin_mm_s: f64, chain: &[ChainVector], junctions: &mut Vec<Junction>) {
+        self.set_junctions(begin_mm_s, chain, junctions);
+        self.set_speeds(chain, junctions);
+    }
+
+    /// Sets the junctions of a chain, without speeds.
+    pub(crate) fn set_junctions(
+        self,
+        begin_mm_s: f64,
+        chain: &[ChainVector],
+        junctions: &mut Vec<Junction>,
+    ) {
         junctions.clear();
         if chain.is_empty() {
             return;
         }
         junctions.push(Junction {
-            v2: begin_mm_s * begin_mm_s,
+            most_v2: begin_mm_s * begin_mm_s,
             ..Junction::STRAIGHT_ON
         });
         junctions.extend(
@@ -104,6 +121,19 @@ impl Cornering {
                 .map(|pair| self.junction(&pair[0], &pair[1])),
         );
         junctions.push(Junction::REST);
+    }
+
+    /// Sets the speeds at the junctions of a chain, whose limits may have changed.
+    pub(crate) fn set_speeds(self, chain: &[ChainVector], junctions: &mut [Junction]) {
+        let [begin, corners @ .., rest] = junctions else {
+            return;
+        };
+        for (pair, junction) in chain.windows(2).zip(corners) {
+            let limit = pair[0].limit_mm_s.min(pair[1].limit_mm_s);
+            let limit = limit.min(pair[0].corner_mm_s);
+            junction.v2 = junction.most_v2.min(limit * limit);
+        }
+        (begin.v2, rest.v2) = (begin.most_v2, rest.most_v2);
         // Squared speeds are linear in the distance at constant acceleration, so both passes
         // use them.
         let mut v2 = 0.0_f64;
@@ -131,20 +161,14 @@ impl Cornering {
             .collect()
     }
 
-    /// Returns the junction of two vectors with its maximum speed.
-    #[must_use]
-    pub fn junction(self, before: &ChainVector, after: &ChainVector) -> Junction {
+    /// Returns the junction of two vectors, with its maximum speed if these have no limits.
+    fn junction(self, before: &ChainVector, after: &ChainVector) -> Junction {
         let ([ax, ay, az], [bx, by, bz]) = (before.direction, after.direction);
         let cos = (ax * bx + ay * by + az * bz).clamp(-1.0, 1.0);
-        let limit = before.limit_mm_s.min(after.limit_mm_s);
-        let limit = limit.min(before.corner_mm_s);
         let sin_half = (0.5 * (1.0 - cos)).sqrt();
         let cos_half = (0.5 * (1.0 + cos)).sqrt();
         if sin_half < STRAIGHT {
-            return Junction {
-                v2: limit * limit,
-                ..Junction::STRAIGHT_ON
-            };
+            return Junction::STRAIGHT_ON;
         }
         let tan_half = sin_half / cos_half;
         let reach_mm = self.deviation_mm * (1.0 + cos_half) / sin_half;
@@ -157,11 +181,15 @@ impl Cornering {
             return Junction::REST;
         }
         Junction {
-            v2: cap_v2.min(limit * limit),
+            v2: cap_v2,
+            most_v2: cap_v2,
             cap_v2,
             tangent_mm: cap_v2 / self.acceleration_mm_s2 * tan_half,
             cos,
             sin: 2.0 * sin_half * cos_half,
+            half_turn: sin_half.atan2(cos_half),
+            half_cos: cos_half,
+            half_sin: sin_half,
         }
     }
 
@@ -210,15 +238,20 @@ impl Junction {
     /// The start or end of a chain.
     const REST: Self = Self {
         v2: 0.0,
+        most_v2: 0.0,
         ..Self::STRAIGHT_ON
     };
 
     const STRAIGHT_ON: Self = Self {
         v2: f64::INFINITY,
+        most_v2: f64::INFINITY,
         cap_v2: f64::INFINITY,
         tangent_mm: 0.0,
         cos: 1.0,
         sin: 0.0,
+        half_turn: 0.0,
+        half_cos: 1.0,
+        half_sin: 0.0,
     };
 
     /// Returns the speed in mm/s.
@@ -250,11 +283,14 @@ impl Junction {
         if self.tangent_mm == 0.0 {
             return 0.0;
         }
-        let [sin, cos] = [1.0 - self.cos, 1.0 + self.cos].map(|x| (0.5 * x).sqrt());
-        let half_turn = sin.atan2(cos);
-        let length_mm = self.cap_v2 / acceleration_mm_s2 * half_turn;
+        let length_mm = self.cap_v2 / acceleration_mm_s2 * self.half_turn;
         let inner_mm_s = self.speed_mm_s();
-        let middle = Self { cos, sin, ..*self }.half_arc(self.v2).sqrt();
+        let half = Self {
+            cos: self.half_cos,
+            sin: self.half_sin,
+            ..*self
+        };
+        let middle = half.half_arc(self.v2).sqrt();
         let middle_mm_s = middle.min(inner_mm_s.max(outer_mm_s));
         length_mm / (inner_mm_s + middle_mm_s) + length_mm / (middle_mm_s + outer_mm_s)
     }
@@ -376,10 +412,14 @@ mod tests {
             let a = 100.0;
             let mut junction = Junction {
                 v2: share * a * radius_mm,
+                most_v2: a * radius_mm,
                 cap_v2: a * radius_mm,
                 tangent_mm: radius_mm * (turn / 2.0).tan(),
                 cos: turn.cos(),
                 sin: turn.sin(),
+                half_turn: turn / 2.0,
+                half_cos: (turn / 2.0).cos(),
+                half_sin: (turn / 2.0).sin(),
             };
             let steps = 20_000_u32;
             let step_mm = radius_mm * turn / 2.0 / f64::from(steps);

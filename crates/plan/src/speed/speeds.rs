@@ -18,13 +18,17 @@ impl Speeds {
     /// Creates the speeds of a vector from start, end and maximum speed, in mm/s.
     pub(crate) fn of(length_mm: f64, speeds: [f64; 3], limit_mm_s: f64, acceleration: f64) -> Self {
         let [start_mm_s, end_mm_s, max_mm_s] = speeds;
+        let peak_mm_s = peak_mm_s(length_mm, speeds, acceleration);
+        let ends_v2 = start_mm_s * start_mm_s + end_mm_s * end_mm_s;
+        let ramps_mm = (peak_mm_s * peak_mm_s - 0.5 * ends_v2) / acceleration;
+        let ramps_s = (2.0 * peak_mm_s - start_mm_s - end_mm_s) / acceleration;
         Self {
             start_mm_s,
             end_mm_s,
             max_mm_s,
-            peak_mm_s: peak_mm_s(length_mm, speeds, acceleration),
+            peak_mm_s,
             limit_mm_s,
-            duration_s: duration_s(length_mm, speeds, acceleration),
+            duration_s: ramps_s + (length_mm - ramps_mm).max(0.0) / peak_mm_s,
         }
     }
 
@@ -87,12 +91,6 @@ impl Ramps {
         let speed_mm_s = (peak * peak - 2.0 * a * braking_mm).max(0.0).sqrt();
         self.up_s + self.even_s + (peak - speed_mm_s) / a
     }
-}
-
-fn duration_s(length_mm: f64, [start, end, max]: [f64; 3], a: f64) -> f64 {
-    let peak = peak_mm_s(length_mm, [start, end, max], a);
-    let ramps_mm = (peak * peak - 0.5 * (start * start + end * end)) / a;
-    (2.0 * peak - start - end) / a + (length_mm - ramps_mm).max(0.0) / peak
 }
 
 fn peak_mm_s(length_mm: f64, [start, end, max]: [f64; 3], a: f64) -> f64 {

@@ -247,6 +247,7 @@ fn page(width_mm: f64, height_mm: f64) -> Artwork {
         height_mm,
         has_page: true,
         layers: vec![layer],
+        ..Artwork::default()
     }
 }
 
@@ -288,6 +289,7 @@ fn a_page_full_of_ink_keeps_its_corner_and_ink_without_a_page_is_centred() {
             height_mm: 20.0,
             has_page,
             layers: vec![layer],
+            ..Artwork::default()
         };
         let placed = on_a5(|_| ()).place(artwork).unwrap();
         let ink = bounds_of_strokes(&placed.layers[0].strokes);
