@@ -35,7 +35,7 @@ module() {
     export GLIBC CARGO=$PWD/release/cargo-zig.sh
   fi
   (cd python && maturin build --profile dist --locked --target "$TARGET" --out "$PRODUCTS" \
-    --compression-level 9 ${for_linux[@]+"${for_linux[@]}"} -- -C lto=fat)
+    --compression-level 9 --sbom-include "$STAGE/parts.cdx.json" ${for_linux[@]+"${for_linux[@]}"} -- -C lto=fat)
 }
 
 # The wheel contains our licences and those of what is linked, and what an index shows of it.
