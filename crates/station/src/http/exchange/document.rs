@@ -38,7 +38,7 @@ pub(crate) fn document() -> Value {
     schemas.subschema_for::<PacketView>();
     schemas.subschema_for::<FromClient>();
     schemas.subschema_for::<Problem>();
-    json!({
+    let mut document = json!({
         "openapi": "3.1.1",
         "info": {
             "title": "dobot station",
@@ -57,7 +57,26 @@ pub(crate) fn document() -> Value {
                 },
             },
         },
-    })
+    });
+    bound(&mut document);
+    document
+}
+
+/// States the range of integers of 32 bits, whose format alone does not restrict them.
+fn bound(value: &mut Value) {
+    match value {
+        Value::Object(fields) => {
+            if fields
+                .get("format")
+                .is_some_and(|format| format == "uint32")
+            {
+                fields.entry("maximum").or_insert_with(|| u32::MAX.into());
+            }
+            fields.values_mut().for_each(bound);
+        }
+        Value::Array(items) => items.iter_mut().for_each(bound),
+        _ => {}
+    }
 }
 
 /// Whether a route is in the document: the API and the page itself are, the page's files are not.

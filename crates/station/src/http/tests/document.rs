@@ -47,6 +47,22 @@ fn every_reference_resolves() {
 }
 
 #[test]
+fn the_range_of_every_integer_of_32_bits_is_stated() {
+    let mut found = 0;
+    walk(&document(), &mut |value| {
+        if value.get("format").is_some_and(|format| format == "uint32") {
+            found += 1;
+            assert!(
+                value["maximum"].as_u64() <= Some(u32::MAX.into()),
+                "{value}"
+            );
+            assert!(value["maximum"].is_u64(), "{value}");
+        }
+    });
+    assert!(found > 10, "{found}");
+}
+
+#[test]
 fn every_operation_has_a_unique_name() {
     let mut names = BTreeSet::new();
     walk(&document(), &mut |value| {
