@@ -26,7 +26,7 @@ const students = {};
 const stations = new Map(), browsers = [], errors = [];
 
 const inside = (network) => ["ip", "netns", "exec", network];
-const beginRouter = async () => (await start(["fleet", "router", "--listen", "quic/0.0.0.0:7447", "--fleet=keys/router"], /the router is at (\S+)/, inside("router"))).child;
+const beginRouter = async () => (await start(["fleet", "router", "--listen", "quic/0.0.0.0:7447", "--fleet=keys/router"], /router listening at (\S+)/, inside("router"))).child;
 
 async function beginDesk(name, number) {
   const words = ["up", "--virtual", "--raw", "off", "--no-open", "--data", resolve(name), "--name", name, `--fleet=keys/${name}`, "--connect", `quic/10.7.${number}.1:7447`, ...DESKS[name]];
@@ -182,7 +182,7 @@ test("with the router killed the others are away, what they have is in doubt, an
   await end(router, "SIGKILL");
   await seen("away");
   await board.waitForSelector(`${entry("Ben")}[data-doubtful=true]`);
-  assert.match(await board.textContent(`${entry("Ben")} .reason-note`), /^Desk-2 cannot be reached; \d+ of \d+ commands were done at the last report, and it may continue\.$/);
+  assert.match(await board.textContent(`${entry("Ben")} .status-of`), /^Desk-2 cannot be reached; \d+ of \d+ commands were done at the last report, and it may continue\.$/);
   await waitForText("#queue-open", "1 uncertain");
   await board.click("#stop");
   await waitForText("#stop-status", "1 of 3 stopped.");

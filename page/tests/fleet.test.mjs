@@ -40,7 +40,7 @@ async function beginStation(name, at, data = name) {
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), "dobot-fleet-"));
   const at = `quic/127.0.0.1:${await freePort()}`;
-  router = { at, ...(await start(["fleet", "router", "--listen", at], /the router is at (\S+)/)) };
+  router = { at, ...(await start(["fleet", "router", "--listen", at], /router listening at (\S+)/)) };
   // The teacher has one token for all stations.
   const file = join(folder, "teacher");
   for (const name of [...Object.keys(GROUPS), "another"]) {
@@ -178,7 +178,7 @@ test("without a token the other stations allow only watching and stopping, and t
   await page.click("#details-reset");
   await page.click("#confirm-yes");
   await page.waitForSelector("#denied");
-  assert.match(await page.textContent("#outcome"), /0 of 1 stops cleared\.\s*desk-2: This takes the role control/);
+  assert.match(await page.textContent("#outcome"), /0 of 1 stops cleared\.\s*desk-2: Your token does not allow this: role control is required/);
   assert.notEqual((await ask("desk-2", "api/v1/state")).stop, null);
   await page.fill("#token-field", token);
   await page.click("#token button");
@@ -363,7 +363,7 @@ test("without the router the others are away, the arm of the board still stops, 
   await waitForAnswer("desk-1", "api/v1/state", ({ stop }) => stop !== null);
   await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("NO ANSWER from"));
   assert.match(await page.textContent("#stop-status"), /1 of \d stopped\./);
-  router.child = (await start(["fleet", "router", "--listen", router.at], /the router is at (\S+)/)).child;
+  router.child = (await start(["fleet", "router", "--listen", router.at], /router listening at (\S+)/)).child;
   for (const name of ["desk-2", "desk-3"]) await page.waitForSelector(`${tile(name)}[data-presence=present]`);
 });
 
