@@ -52,11 +52,8 @@ fn the_range_of_every_integer_of_32_bits_is_stated() {
     walk(&document(), &mut |value| {
         if value.get("format").is_some_and(|format| format == "uint32") {
             found += 1;
-            assert!(
-                value["maximum"].as_u64() <= Some(u32::MAX.into()),
-                "{value}"
-            );
-            assert!(value["maximum"].is_u64(), "{value}");
+            let most = value["maximum"].as_f64();
+            assert!(most.is_some_and(|most| most <= u32::MAX.into()), "{value}");
         }
     });
     assert!(found > 10, "{found}");
