@@ -213,7 +213,7 @@ test("a person without an arm gets a virtual one, moves it on its own page, and 
   // One who is named as an arm that is there already is told so, and gets another name.
   await page.fill("#arm-name", "desk-2");
   await page.click("#arm-give");
-  await page.waitForFunction(() => /called "desk-2" already/.test(document.querySelector("#outcome").textContent));
+  await page.waitForFunction(() => /Another station has this name/.test(document.querySelector("#outcome").textContent));
   await page.click("#outcome-close");
   await page.click("#arm-open");
   await page.click(`${tile("zoe-b")} .name`);
