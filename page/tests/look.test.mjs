@@ -126,8 +126,10 @@ test("a program that asks where a marker is gets the answer only after a person 
 });
 
 test("the camera is off after the view closes", async () => {
+  await page.evaluate(() => (window.seen = document.querySelector("#look-video").srcObject.getTracks()));
   await page.click("#tab-move");
-  assert.equal(await page.evaluate(() => document.querySelector("#look-video")), null);
+  await page.waitForSelector("#look-video", { state: "detached" });
+  assert.deepEqual(await page.evaluate(() => window.seen.map(({ readyState }) => readyState)), ["ended"]);
   await page.click("#tab-look");
   await waitForStatus("Accurate to about");
 });
