@@ -2,6 +2,7 @@
 
 import { DEVICE, isName, saveName } from "./parts/name.js";
 import { rests } from "./state/selectors.js";
+import { PROGRAM_ENDINGS } from "./state/teach.js";
 import { commandOf } from "./station/target.js";
 import { NO_CONNECTION } from "./station/socket.js";
 import { createStop } from "./station/stop.js";
@@ -202,7 +203,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
 
     /** Opens a program, a drawing, or a timeline in the preview. @param {File} file */
     openFile(file) {
-      if (/\.(toml|xml|play|playback)$/i.test(file.name)) {
+      if (PROGRAM_ENDINGS.some((ending) => file.name.toLowerCase().endsWith(ending))) {
         send({ type: "tab", tab: "teach" });
         return void teach.open(file);
       }

@@ -8,7 +8,7 @@ import { after, before, test } from "node:test";
 import { promisify } from "node:util";
 import { takeAndMove } from "./bench.mjs";
 import { launch, visitor } from "./browser.mjs";
-import { end, start } from "./program.mjs";
+import { end, start, startRouter } from "./program.mjs";
 
 const PAGE = "http://127.0.0.1:8642/";
 /** The teacher's station, which gives virtual arms, a student's, who has pen and paper, and one that students share in time slots. */
@@ -26,7 +26,7 @@ const students = {};
 const stations = new Map(), browsers = [], errors = [];
 
 const inside = (network) => ["ip", "netns", "exec", network];
-const beginRouter = async () => (await start(["fleet", "router", "--listen", "quic/0.0.0.0:7447", "--fleet=keys/router"], /router listening at (\S+)/, inside("router"))).child;
+const beginRouter = async () => (await startRouter(["--listen", "quic/0.0.0.0:7447", "--fleet=keys/router"], inside("router"))).child;
 
 async function beginDesk(name, number) {
   const words = ["up", "--virtual", "--raw", "off", "--no-open", "--data", resolve(name), "--name", name, `--fleet=keys/${name}`, "--connect", `quic/10.7.${number}.1:7447`, ...DESKS[name]];

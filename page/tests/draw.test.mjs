@@ -38,7 +38,7 @@ async function ink() {
 }
 
 test("a dropped program opens under Teach", async () => {
-  await drop("loop.toml", '[[steps]]\nmove = { x_mm = 200, y_mm = 0, z_mm = 20 }\n');
+  await drop("loop.toml", '[[steps]]\ngo = { x = 200, y = 0, z = 20 }\n');
   await page.waitForSelector("#teach-title:has-text('loop.toml')");
   await page.click("#tab-draw");
 });
@@ -125,5 +125,5 @@ test("a long text is wrapped, framed by a border, and signed", async () => {
   const signed = await planned(() => page.fill("#draw-sign", "Anna"));
   assert.ok(signed.strokes > framed.strokes, `${signed.strokes} of ${framed.strokes} strokes`);
   await page.fill("#draw-wrap", "wide");
-  assert.equal(await page.getAttribute("#draw-wrap", "aria-invalid"), "true");
+  await page.waitForSelector("#draw-wrap[aria-invalid=true]");
 });

@@ -10,7 +10,7 @@ import { after, before, test } from "node:test";
 import { promisify } from "node:util";
 import { serveFromDisk, takeAndMove } from "./bench.mjs";
 import { launch, leave, visitor } from "./browser.mjs";
-import { end, start } from "./program.mjs";
+import { end, start, startRouter } from "./program.mjs";
 
 const AXE = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
 const GROUPS = { "desk-1": "room-1", "desk-2": "room-1", "desk-3": "room-2" };
@@ -40,7 +40,7 @@ async function beginStation(name, at, data = name) {
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), "dobot-fleet-"));
   const at = `quic/127.0.0.1:${await freePort()}`;
-  router = { at, ...(await start(["fleet", "router", "--listen", at], /router listening at (\S+)/)) };
+  router = { at, ...(await startRouter(["--listen", at])) };
   // The teacher has one token for all stations.
   const file = join(folder, "teacher");
   for (const name of [...Object.keys(GROUPS), "another"]) {
@@ -363,7 +363,7 @@ test("without the router the others are away, the arm of the board still stops, 
   await waitForAnswer("desk-1", "api/v1/state", ({ stop }) => stop !== null);
   await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("NO ANSWER from"));
   assert.match(await page.textContent("#stop-status"), /1 of \d stopped\./);
-  router.child = (await start(["fleet", "router", "--listen", router.at], /router listening at (\S+)/)).child;
+  router.child = (await startRouter(["--listen", router.at])).child;
   for (const name of ["desk-2", "desk-3"]) await page.waitForSelector(`${tile(name)}[data-presence=present]`);
 });
 

@@ -19,6 +19,9 @@ export async function start(words, line, within = []) {
   throw new Error(`dobot ${words.join(" ")} ended without ${line}`);
 }
 
+/** Starts a router of the fleet, and returns its address as found. */
+export const startRouter = (words, within) => start(["fleet", "router", ...words], /router listening at (\S+)/, within);
+
 /** Ends it, unless it has ended. */
 export async function end(child, signal) {
   if (child.exitCode !== null || child.signalCode !== null) return;

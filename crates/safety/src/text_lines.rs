@@ -10,7 +10,7 @@ pub fn line_at(text: &str, offset: usize) -> usize {
 }
 
 /// Returns the line of a dotted key in a TOML text, or of the nearest table that is written out.
-/// `None` if the text is no TOML or has none of them.
+/// `None` if the text is not TOML or has neither.
 #[must_use]
 pub fn line_of(text: &str, key: &str) -> Option<usize> {
     let document = DeTable::parse(text).ok()?;

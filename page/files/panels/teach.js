@@ -4,7 +4,7 @@ import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { ref } from "../vendor/lit-html/directives/ref.js";
 import { blockedReason, memoize, rowsIn } from "../state/selectors.js";
-import { currentLine, rowAt, stepsIn } from "../state/teach.js";
+import { PROGRAM_ENDINGS, currentLine, rowAt, stepsIn } from "../state/teach.js";
 import { ROW_PX, startRowDrag } from "../input/row_drag.js";
 import { files as storedFiles } from "./files.js";
 import { saveAs } from "../parts/download.js";
@@ -210,7 +210,7 @@ function files({ page, t, act }) {
       <h2 id="teach-files-title">${t("teach.files")}</h2>
       <div class="row">
         <button id="teach-save" type="button" class="small" ?disabled=${!page.teach.text} @click=${save}>${t("teach.save")}</button>
-        <input id="teach-file" type="file" accept=".toml,.xml,.play,.playback,text/plain" hidden aria-label=${t("teach.open")} @change=${choose}>
+        <input id="teach-file" type="file" accept=${[...PROGRAM_ENDINGS, "text/plain"].join(",")} hidden aria-label=${t("teach.open")} @change=${choose}>
         <button id="teach-open" type="button" class="small" @click=${() => document.getElementById("teach-file")?.click()}>${t("teach.open")}</button>
         <button id="teach-keep" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => act.files.keepProgram(page.teach.text, page.teach.name)}>${t("files.keep")}</button>
         <button id="teach-xml" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => void exportAs("xml")}>.xml</button>

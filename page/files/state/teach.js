@@ -72,6 +72,9 @@ const ELSEWHERE = /\b(frame|base|rear|fore|servo)\s*=/;
 /** The lines of a title that the text does not have. */
 const TITLE_LINES = 2;
 
+/** The endings of the files that are programs: ours, and the vendor's. */
+export const PROGRAM_ENDINGS = [".toml", ".xml", ".play", ".playback"];
+
 /** The text with a title, which a job has to have: the name of its file where it says none. @param {string} text @param {string} name */
 export const titled = (text, name) => (/^\s*title\s*=/m.test(text) ? text : `title = ${JSON.stringify(name.replace(/\.toml$/, ""))}\n\n${text}`);
 

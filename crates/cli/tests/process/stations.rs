@@ -430,7 +430,9 @@ fn a_stop_and_its_reason_hold_at_the_next_start() {
     up.dobot(&["stop", "--reason", "finger caught"]).succeeds();
     let kept = up.folder.path().join("stop.toml");
     // Another thread saves it, after the packets.
-    while !std::fs::read_to_string(&kept).is_ok_and(|text| text.contains("finger caught")) {
+    let is_kept =
+        || std::fs::read_to_string(&kept).is_ok_and(|text| text.contains("finger caught"));
+    while !is_kept() {
         std::thread::yield_now();
     }
     up.station.kill();
@@ -440,7 +442,7 @@ fn a_stop_and_its_reason_hold_at_the_next_start() {
     let draw = ["draw", &example("square.svg"), "--pen-down", "-40"];
     again.dobot(&draw).fails(1, &["finger caught"]);
     again.dobot(&["stop", "--reset"]).succeeds();
-    while std::fs::read_to_string(&kept).is_ok_and(|text| text.contains("finger caught")) {
+    while is_kept() {
         std::thread::yield_now();
     }
     let mut again = again;

@@ -172,7 +172,6 @@ fn y_mm(station: &VirtualStation) -> f64 {
 
 const BEGIN_MM: f64 = -48.0;
 /// A laser is off by then, and a pen goes no farther along its line, in seconds; in a pause a pen slows down on its line besides.
-/// What speeds up or brakes is not cut into pieces: a fast pen does so for longer.
 fn most_s(end: LineEnd, tool: DrawingTool) -> f64 {
     match end {
         _ if tool.burns() => 0.5,
