@@ -345,7 +345,7 @@ test("the drawing of an arm is saved as a picture", async () => {
 test("a second station of the same name is reported on both tiles, and a stop reaches both", async () => {
   const twin = await beginStation("desk-2", router.at, "another");
   stations.set("another", twin);
-  await page.waitForFunction(() => [...document.querySelectorAll(".tile[data-member=desk-2] .why")].filter((it) => it.textContent.startsWith("2 stations use the name desk-2.")).length === 2);
+  await page.waitForFunction(() => [...document.querySelectorAll(".tile[data-member=desk-2] .why")].filter((it) => it.textContent.startsWith("No requests are sent to this station: 2 stations use the name desk-2.")).length === 2);
   await page.click("#stop");
   await page.waitForFunction(() => document.querySelector("#stop-status").textContent.includes("4 of 4 stopped."));
   assert.notEqual((await ask("another", "api/v1/state")).stop, null);
