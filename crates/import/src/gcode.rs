@@ -12,6 +12,7 @@ mod ink;
 mod ink_rule;
 mod laser;
 mod machine;
+mod outputs;
 mod ramp;
 mod servo;
 mod spindle;
@@ -23,7 +24,7 @@ use dobot_geometry::CancelToken;
 
 use self::ink::Inker;
 use self::ink_rule::{InkRule, MoveStatistics};
-use self::laser::LaserState;
+use self::laser::{LaserCodes, LaserState};
 use self::machine::{Machine, Move, ToolState};
 use crate::artwork::Artwork;
 use crate::error::SourceError;
@@ -51,7 +52,9 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
     let mut statistics = MoveStatistics::default();
     let mut moves = 0;
     let cancel = &options.cancel;
-    let program = run(text, usize::MAX, cancel, sketch.warnings(), |motion| {
+    let codes = LaserCodes::of(text, cancel);
+    let lines = (codes, usize::MAX);
+    let program = run(text, lines, cancel, sketch.warnings(), |motion| {
         moves += 1;
         if moves > MAX_MOVES {
             let found = format!("more than {MAX_MOVES} moves");
@@ -68,9 +71,8 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
     rule.report(sketch.warnings(), options.gcode);
     let mut inker = Inker::new(&mut sketch, rule, switch);
     let warnings = &mut Warnings::new(text);
-    let drawn = run(text, program.lines, cancel, warnings, |motion| {
-        inker.draw(motion)
-    });
+    let lines = (codes, program.lines);
+    let drawn = run(text, lines, cancel, warnings, |motion| inker.draw(motion));
     inker.finish()?;
     sketch.skip_mistake(drawn.read, REST_LEFT_OUT)?;
     Ok((sketch, rule))
@@ -89,12 +91,12 @@ struct Program {
 /// Runs at most `most` lines of the program and passes its moves on.
 fn run<'a>(
     text: &'a [u8],
-    most: usize,
+    (codes, most): (LaserCodes, usize),
     cancel: &CancelToken,
     warnings: &mut Warnings<'a>,
     mut hand_on: impl FnMut(&Move) -> Result<(), SourceError>,
 ) -> Program {
-    let mut machine = Machine::new(text, warnings);
+    let mut machine = Machine::new(text, codes, warnings);
     let (lines, read) = block::each(text, most, |block| {
         cancel.check()?;
         machine.handle(block, &mut hand_on)

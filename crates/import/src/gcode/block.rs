@@ -19,6 +19,8 @@ pub(super) struct Block {
     pub(super) is_setting: bool,
     /// A lone `?`, `!` or `~`, a real-time command of GRBL.
     pub(super) is_real_time: bool,
+    /// A second `%`, after which nothing belongs to the program.
+    pub(super) is_end: bool,
     /// Whether it starts with `/`.
     pub(super) is_optional: bool,
     /// The values; valid for letters in the bit set.
@@ -34,7 +36,8 @@ impl Block {
         (self.begin, self.at) = (at, at);
         self.g.0.clear();
         self.m.0.clear();
-        (self.is_setting, self.is_real_time, self.is_optional) = (false, false, false);
+        (self.is_setting, self.is_real_time) = (false, false);
+        (self.is_end, self.is_optional) = (false, false);
         self.letters = 0;
     }
 
@@ -137,14 +140,19 @@ pub(super) fn each(
     mut hand_on: impl FnMut(&Block) -> Result<(), SourceError>,
 ) -> (usize, Result<(), SourceError>) {
     let at = beginning(text);
-    let mut lines = BlockLexer { text, at };
+    let mut lines = BlockLexer {
+        text,
+        at,
+        has_percent: false,
+        has_words: false,
+    };
     let mut block = Block::default();
     let mut subroutines = Subroutines::new(text);
     let mut count = 0;
     while lines.at < text.len() && count < most {
         let read = lines.line(&mut block).and_then(|()| {
             lines.at = subroutines.next(lines.at, &block)?;
-            if block.is_empty() && !block.is_setting && !block.is_real_time {
+            if block.is_empty() && !block.is_setting && !block.is_real_time && !block.is_end {
                 return Ok(());
             }
             hand_on(&block)
@@ -160,6 +168,9 @@ pub(super) fn each(
 struct BlockLexer<'a> {
     text: &'a [u8],
     at: usize,
+    /// Whether a `%` has begun the program, and whether words have followed.
+    has_percent: bool,
+    has_words: bool,
 }
 
 impl BlockLexer<'_> {
@@ -175,7 +186,11 @@ impl BlockLexer<'_> {
                 b' ' | b'\t' => self.at += 1,
                 b'(' => self.comment()?,
                 b';' => self.skip_line(),
-                b'%' if block.is_empty() => self.skip_line(),
+                b'%' if block.is_empty() => {
+                    block.is_end = self.has_percent && self.has_words;
+                    self.has_percent = true;
+                    self.skip_line();
+                }
                 b'$' if block.is_empty() => {
                     (block.at, block.is_setting) = (self.at, true);
                     self.skip_line();
@@ -265,6 +280,7 @@ impl BlockLexer<'_> {
         if block.is_empty() {
             block.at = at;
         }
+        self.has_words = true;
         self.at += 1;
         while matches!(self.peek(), Some(b' ' | b'\t')) {
             self.at += 1;

@@ -1,5 +1,7 @@
 //! The meaning of G and M codes for a drawing.
 
+use super::outputs::is_output;
+
 /// The meaning of a code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Meaning {
@@ -49,11 +51,12 @@ pub(super) const fn is_drill(g_code: u32) -> bool {
 pub(super) const fn m(code: u32) -> Meaning {
     use Meaning::{LeftOut, Plain, Refused};
     match code {
-        // Laser or spindle, end (also M99 of a repeated program), tool change, coolant, motors and
+        // Laser or spindle, end (also M99 of a repeated program, and M112), tool change, coolant, motors and
         // extruder, servo.
         20 | 30 | 40 | 50 | 60 | 70 | 80 | 90 | 170 | 180 | 300 | 480 | 490 | 820 | 830 | 840
-        | 990 | 1060 | 1070 | 2800 => Plain,
+        | 990 | 1060 | 1070 | 1120 | 2800 => Plain,
         0 | 10 | 600 => LeftOut("drawn without a pause"),
+        _ if is_output(code) => LeftOut("read as a switch of the tool, like M3 and M5"),
         970 | 980 => Refused("subroutines are not supported; expand them"),
         1170 | 1180 => LeftOut("its message is not shown"),
         _ => LeftOut("unknown, left out"),
@@ -64,7 +67,7 @@ pub(super) const fn m(code: u32) -> Meaning {
 /// currents, steps, axes.
 pub(super) const fn has_own_words(m_code: u32) -> bool {
     match m(m_code) {
-        Meaning::LeftOut(_) => m_code > 90,
+        Meaning::LeftOut(_) => m_code > 90 && (m_code == 420 || !is_output(m_code)),
         _ => matches!(m_code, 170 | 180 | 840),
     }
 }

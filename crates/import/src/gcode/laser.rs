@@ -1,11 +1,46 @@
 //! The state of a laser, as in the laser mode of GRBL ($32=1).
 
+use dobot_geometry::CancelToken;
+
+use super::block;
 use super::machine::{Move, MoveKind};
+use super::outputs::is_output;
+
+/// The codes that switch the laser of a program on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum LaserCodes {
+    /// M3 and M4. M106 controls a fan.
+    Spindle,
+    /// M106: there is no M3 or M4.
+    Fan,
+    /// Those of outputs: there is no M3, M4 or M106.
+    Outputs,
+}
+
+impl LaserCodes {
+    /// Finds the codes of a program. Once it is cancelled, they do not matter.
+    pub(super) fn of(text: &[u8], cancel: &CancelToken) -> Self {
+        let (mut has_spindle, mut has_fan, mut has_outputs) = (false, false, false);
+        // The program is run up to the same mistake.
+        let _ = block::each(text, usize::MAX, |block| {
+            has_spindle |= block.m.first(&[30, 40]).is_some();
+            has_fan |= block.m.has(1060);
+            has_outputs |= block.m.0.iter().any(|entry| is_output(entry.1));
+            cancel.check().map_err(Into::into)
+        });
+        match (has_spindle, has_fan, has_outputs) {
+            (true, ..) => Self::Spindle,
+            (false, false, true) => Self::Outputs,
+            _ => Self::Fan,
+        }
+    }
+}
 
 /// The laser state of a program at a line.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct LaserState {
-    /// Whether M3, M4 or M106 is active; unknown before the first of them, M5 and M107.
+    /// Whether M3, M4 or M106 is active, and each output on; unknown before the first of them, M5 and
+    /// M107.
     pub(super) is_on: Option<bool>,
     /// The current S; unknown before the first one.
     pub(super) power: Option<f64>,

@@ -7,7 +7,8 @@ use dobot_geometry::{Point, Vec2};
 use super::arc::{center_by_radius, far_sides, sweep_rad};
 use super::block::Block;
 use super::codes::{self, Meaning};
-use super::laser::LaserState;
+use super::laser::{LaserCodes, LaserState};
+use super::outputs::Outputs;
 use super::servo::ServoCode;
 use crate::error::SourceError;
 use crate::sketch::checked;
@@ -124,13 +125,17 @@ pub(super) struct Machine<'a, 'w> {
     /// The active coordinate system (G54 to G59.3), in tenths.
     system: Option<u32>,
     is_by_m3: bool,
+    codes: LaserCodes,
+    /// Whether M3, M4 or M106 is active.
+    is_switched_on: Option<bool>,
+    outputs: Outputs,
     laser: LaserState,
     tool: ToolState,
     has_ended: bool,
 }
 
 impl<'a, 'w> Machine<'a, 'w> {
-    pub(super) fn new(text: &'a [u8], warnings: &'w mut Warnings<'a>) -> Self {
+    pub(super) fn new(text: &'a [u8], codes: LaserCodes, warnings: &'w mut Warnings<'a>) -> Self {
         Self {
             text,
             warnings,
@@ -148,6 +153,9 @@ impl<'a, 'w> Machine<'a, 'w> {
             feed_is_by_minute: true,
             system: None,
             is_by_m3: false,
+            codes,
+            is_switched_on: None,
+            outputs: Outputs::default(),
             laser: LaserState::default(),
             tool: ToolState::default(),
             has_ended: false,
@@ -161,8 +169,12 @@ impl<'a, 'w> Machine<'a, 'w> {
         hand_on: &mut impl FnMut(&Move) -> Result<(), SourceError>,
     ) -> Result<(), SourceError> {
         if self.has_ended {
-            let instead = "left out, because it is after the end (M2, M30 or M99)";
+            let instead = "left out, because it is after the end (M2, M30, M99, M112 or %)";
             self.warn(block.at, "unreached line", instead);
+            return Ok(());
+        }
+        if block.is_end {
+            self.has_ended = true;
             return Ok(());
         }
         if block.is_setting {
@@ -181,7 +193,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             self.switch_tool(block);
             return Ok(());
         }
-        if block.has_any(OTHER_AXES) {
+        if block.has_any(OTHER_AXES) && block.m.first(&[670, 680]).is_none() {
             self.warn_of_axes(block);
         }
         self.modes(block)?;
@@ -191,7 +203,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         } else if let Some(motion) = self.motion(block)? {
             hand_on(&motion)?;
         }
-        self.has_ended = [20, 300, 990].into_iter().any(|value| block.m.has(value));
+        self.has_ended = block.m.first(&[20, 300, 990, 1120]).is_some();
         Ok(())
     }
 
@@ -311,17 +323,30 @@ impl<'a, 'w> Machine<'a, 'w> {
         self.switch_tool(block);
     }
 
-    /// Executes M3, M4, M5, M106, M107, the servo codes, and S.
+    /// Executes M3, M4, M5, M106, M107, the codes of outputs and servos, and S.
     fn switch_tool(&mut self, block: &Block) {
         for &(_, code) in &block.m.0 {
             match code {
+                1060 if self.codes == LaserCodes::Spindle => {}
                 30 | 40 | 1060 => {
-                    (self.laser.is_on, self.is_by_m3) = (Some(true), code == 30);
+                    (self.is_switched_on, self.is_by_m3) = (Some(true), code == 30);
                 }
-                50 | 1070 => self.laser.is_on = Some(false),
+                50 | 1070 => {
+                    self.is_switched_on = Some(false);
+                    if self.codes == LaserCodes::Outputs {
+                        self.outputs.switch_all_off();
+                    }
+                }
                 _ => {}
             }
         }
+        self.outputs.switch(block);
+        let are_on = self.outputs.are_on();
+        self.laser.is_on = match self.is_switched_on {
+            Some(true) => Some(are_on != Some(false)),
+            is_on if self.codes == LaserCodes::Outputs => are_on.or(is_on),
+            is_on => is_on,
+        };
         self.turn_servo(block);
         self.set_power(block);
     }
@@ -344,7 +369,11 @@ impl<'a, 'w> Machine<'a, 'w> {
     /// S is the power, unless it belongs to another code: a dwell, a servo angle.
     fn set_power(&mut self, block: &Block) {
         if let Some(s) = block.value(b'S') {
-            let is_others = |code: u32| code > 90 && ![1060, 1070].contains(&code);
+            let has_fan = self.codes == LaserCodes::Spindle && block.m.first(&[30, 40]).is_none();
+            let is_others = |code: u32| match code {
+                1060 | 1070 => has_fan,
+                _ => code > 90,
+            };
             // With P, which is the time, S is not the time.
             let is_time = block.g.has(40) && block.value(b'P').is_none();
             if !is_time && !block.m.0.iter().any(|code| is_others(code.1)) {

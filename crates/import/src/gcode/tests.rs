@@ -493,7 +493,7 @@ fn skipped_codes_are_named_with_their_place_and_count() {
             "9:1: 1 G93 code: speeds are read as units per minute",
             "10:1: 1 G28 or G30 homing: read as a travel to X 0, Y 0",
             "11:1: 1 G53 move: read as a travel with the pen up",
-            "13:1: 1 unreached line: left out, because it is after the end (M2, M30 or M99)",
+            "13:1: 1 unreached line: left out, because it is after the end (M2, M30, M99, M112 or %)",
             "1 file without commands for a laser or a pen (M3, Z): G1, G2 and G3 draw, G0 travels",
         ]
     );

@@ -10,7 +10,7 @@ use proptest::prelude::*;
 ///
 /// - G0, drilling cycles and moves along Z alone never burn.
 /// - G1, G2 and G3 burn while M3, M4 or M106 hold and S is above 0. Before the first of them the
-///   laser is off. M5 and M107 switch it off.
+///   laser is off. M5 and M107 switch it off. In a file with M3 or M4, M106 and its S are for a fan.
 /// - S holds from its line on, and is 0 before; without any S in the file M3, M4 and M106 have full
 ///   power.
 /// - In a file without any of these words G1, G2 and G3 burn.
@@ -27,9 +27,12 @@ impl Reference {
         let text = uncommented(text);
         let lines: Vec<_> = text.lines().map(words).collect();
         let has = |is: fn(&(char, f64)) -> bool| lines.iter().flatten().any(is);
-        let has_s = has(|word| word.0 == 'S');
         let has_m = has(|word| word.0 == 'M' && [3.0, 4.0, 5.0, 106.0, 107.0].contains(&word.1));
+        let has_fan = has(|word| word.0 == 'M' && [3.0, 4.0].contains(&word.1));
+        let mut lines_of_laser = lines.iter().filter(|line| !(has_fan && is_of_fan(line)));
+        let has_s = lines_of_laser.any(|line| line.iter().any(|word| word.0 == 'S'));
         let mut reader = Reader {
+            has_fan,
             full: !has_s,
             is_without_power: !has_s && !has_m,
             ..Reader::default()
@@ -57,6 +60,8 @@ impl Reference {
 #[derive(Debug, Default)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a mode of its own")]
 struct Reader {
+    /// M106 is for a fan.
+    has_fan: bool,
     /// The power is full without S.
     full: bool,
     is_without_power: bool,
@@ -81,8 +86,11 @@ impl Reader {
     fn line(&mut self, words: &[(char, f64)]) {
         let value = |letter| words.iter().find(|word| word.0 == letter).map(|at| at.1);
         let has_g = |code| words.contains(&('G', code));
+        let is_of_fan = self.has_fan && is_of_fan(words);
         for &(letter, code) in words {
             match (letter, code) {
+                ('M', 106.0) if self.has_fan => {}
+                ('S', _) if is_of_fan => {}
                 ('M', 3.0 | 4.0 | 106.0) => self.is_on = true,
                 ('M', 5.0 | 107.0) => self.is_on = false,
                 ('S', s) => self.s = s,
@@ -153,6 +161,16 @@ impl Reader {
             lit: self.lit,
         }
     }
+}
+
+/// Whether the S of a line is for a fan.
+fn is_of_fan(words: &[(char, f64)]) -> bool {
+    let has = |codes: [f64; 2]| {
+        words
+            .iter()
+            .any(|&(letter, code)| letter == 'M' && codes.contains(&code))
+    };
+    has([106.0, 107.0]) && !has([3.0, 4.0])
 }
 
 fn uncommented(text: &str) -> String {
