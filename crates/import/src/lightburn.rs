@@ -28,18 +28,11 @@ pub(crate) fn read(
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut sketch = Sketch::new(text.as_bytes(), options)?;
-    let malformed = match xml::tree(text, false) {
-        Ok(document) => return draw(text, &document, sketch),
-        Err(error) => error,
-    };
-    let Some(part) = xml::complete_part(text, &malformed) else {
-        return Err(malformed);
-    };
-    let Ok(document) = xml::tree(&part, false) else {
-        return Err(malformed);
-    };
-    sketch.skip_mistake(Err(malformed), REST_LEFT_OUT)?;
-    draw(&part, &document, sketch)
+    let mut part = String::new();
+    // Half a shape would be another one.
+    let read = xml::tree_before_error(text, false, 1, &mut part)?;
+    sketch.skip_mistake(read.error.map_or(Ok(()), Err), REST_LEFT_OUT)?;
+    draw(read.text, &read.document, sketch)
 }
 
 /// Draws a project; places in its text are those in the file.

@@ -54,7 +54,8 @@ use crate::artwork::Artwork;
 use crate::error::{SourceError, SvgError};
 use crate::limits::{Budget, MAX_SEGMENTS, checked_tolerance_mm};
 use crate::options::{LayersBy, ReadOptions};
-use crate::warning::Warning;
+use crate::sketch::REST_LEFT_OUT;
+use crate::warning::{Warning, Warnings};
 use crate::xml::{self, malformed};
 
 /// Reads an SVG file like a browser, at 96 dots per inch.
@@ -119,6 +120,14 @@ fn draw(
     let (inner, counts) = inner.clone();
     let others = page.cut().into_iter().chain(facts.warnings).chain(inner);
     let (artwork, mut warnings) = page.finish()?;
+    let mut mistakes = Warnings::new(text.as_bytes());
+    if let Some(mistake) = facts.mistake {
+        if artwork.layers.is_empty() {
+            return Err(mistake);
+        }
+        mistakes.add_mistake(mistake, REST_LEFT_OUT)?;
+    }
+    let others = mistakes.into_list().into_iter().chain(others);
     warnings.extend(facts.counts.into_iter().chain(counts));
     tree_warnings.warn(&mut warnings);
     if artwork.layers.is_empty() {
@@ -136,6 +145,8 @@ struct FileFacts {
     warnings: Vec<Warning>,
     counts: Vec<WarningCount>,
     unread: UnreadPlaces,
+    /// The error after which nothing was read.
+    mistake: Option<SourceError>,
 }
 
 /// Counts what is lost while the tree is built.
@@ -293,9 +304,15 @@ fn parse(
     entities::check(text)?;
     options.cancel.check()?;
     let text = &*dtd::with_defaults(text, &options.cancel)?;
-    let doc = xml::tree(text, true)?;
+    let mut part = String::new();
+    let xml::Readable {
+        text,
+        document: doc,
+        error: mistake,
+    } = xml::tree_before_error(text, true, usize::MAX, &mut part)?;
     check_root(&doc)?;
-    let (rewritten, facts) = rewritten(&doc, text, &options.cancel)?;
+    let (rewritten, mut facts) = rewritten(&doc, text, &options.cancel)?;
+    facts.mistake = mistake;
     let Some(text) = rewritten else {
         let (tree, groups) = tree_of(doc, text, options, tree_warnings, depth)?;
         return Ok((tree, groups, facts));
@@ -336,6 +353,7 @@ fn rewritten(
         warnings: lone_coordinates(doc).into_iter().chain(warnings).collect(),
         counts: counts.into_iter().map(count).collect(),
         unread,
+        mistake: None,
     };
     Ok((new, facts))
 }

@@ -7,6 +7,46 @@ use usvg::roxmltree::{Document, Error, ParsingOptions};
 use crate::error::{SourceError, SvgError};
 use crate::place::{Place, place, printable};
 
+/// A document that was read up to its end or its first error.
+pub(crate) struct Readable<'a> {
+    /// What was parsed.
+    pub(crate) text: &'a str,
+    pub(crate) document: Document<'a>,
+    pub(crate) error: Option<SourceError>,
+}
+
+/// Parses a text, or else what is complete before its first error: elements at most `deepest`
+/// levels deep may lack content, others are left out. That part is stored in `part`.
+pub(crate) fn tree_before_error<'a>(
+    text: &'a str,
+    allow_dtd: bool,
+    deepest: usize,
+    part: &'a mut String,
+) -> Result<Readable<'a>, SourceError> {
+    let error = match tree(text, allow_dtd) {
+        Ok(document) => {
+            return Ok(Readable {
+                text,
+                document,
+                error: None,
+            });
+        }
+        Err(error) => error,
+    };
+    match complete_part(text, &error, deepest) {
+        Some(complete) => *part = complete,
+        None => return Err(error),
+    }
+    match tree(part, allow_dtd) {
+        Ok(document) => Ok(Readable {
+            text: part,
+            document,
+            error: Some(error),
+        }),
+        Err(_) => Err(error),
+    }
+}
+
 /// Parses a text as a tree.
 ///
 /// A tree takes far more memory than its text, so its size is computed first.
@@ -90,15 +130,15 @@ fn unclosed(text: &str, error: &Error) -> Option<SvgError> {
     Some(SvgError::EndsTooSoon { place, part })
 }
 
-/// The outermost element with its children that are complete before an error, closed.
-pub(crate) fn complete_part(text: &str, error: &SourceError) -> Option<String> {
+/// The text up to its last tag before an error after which at most `deepest` elements are open,
+/// with those closed.
+fn complete_part(text: &str, error: &SourceError, deepest: usize) -> Option<String> {
     let end = match error {
         SourceError::Svg(SvgError::Malformed { place, .. }) => offset(text, *place),
         SourceError::Svg(SvgError::EndsTooSoon { .. }) => text.len(),
         _ => return None,
     };
-    let (mut at, mut depth, mut complete) = (0, 0_usize, None);
-    let mut root = "";
+    let (mut at, mut open, mut complete) = (0, Vec::new(), None);
     while let Some(start) = text[at..end].find('<').map(|start| at + start) {
         let tag = &text[start..];
         let Some(length) = tag_end(tag).filter(|length| start + length <= end) else {
@@ -109,18 +149,17 @@ pub(crate) fn complete_part(text: &str, error: &SourceError) -> Option<String> {
             .split(|c: char| c.is_whitespace() || "/>".contains(c))
             .next()?;
         if tag.starts_with("</") {
-            depth = depth.checked_sub(1)?;
+            open.pop()?;
         } else if !name.starts_with(['!', '?']) && !text[..at].ends_with("/>") {
-            if depth == 0 {
-                root = name;
-            }
-            depth += 1;
+            open.push(name);
         }
-        if depth == 1 {
-            complete = Some(at);
+        if open.len() <= deepest {
+            complete = Some((at, open.len()));
         }
     }
-    complete.map(|at| format!("{}</{root}>", &text[..at]))
+    let (at, count) = complete?;
+    let ends = open[..count].iter().rev().map(|name| format!("</{name}>"));
+    Some(text[..at].to_owned() + &ends.collect::<String>())
 }
 
 /// The offset of a place in a text.

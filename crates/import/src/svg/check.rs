@@ -9,6 +9,7 @@ use svgtypes::{
 use usvg::roxmltree::{Attribute, Document, Node};
 
 use super::edits::Edit;
+use super::expand::circular_references;
 use super::handles::words;
 use crate::error::SvgError;
 use crate::limits::{Budget, MAX_NUMBER};
@@ -25,7 +26,7 @@ pub(super) struct Damage {
 }
 
 impl Damage {
-    /// Checks every path, point list, length, transform and viewBox of the document. Like a browser,
+    /// Checks every path, point list, length, transform, viewBox and reference of the document. Like a browser,
     /// a shape is drawn up to the error, and other invalid values are ignored (SVG 1.1, F.2).
     pub(super) fn of(doc: &Document<'_>, cancel: &CancelToken) -> Result<Self, Cancelled> {
         let mut damage = Self::default();
@@ -42,6 +43,14 @@ impl Damage {
                     damage.add(doc, node, &attribute, &problem);
                 }
             }
+        }
+        for (node, attribute) in circular_references(doc) {
+            let problem = ValueProblem {
+                kind: "circular reference",
+                at: 0,
+                expected: "an element that does not contain this one",
+            };
+            damage.add(doc, node, &attribute, &problem);
         }
         Ok(damage)
     }

@@ -2,21 +2,17 @@
 
 use std::collections::HashMap;
 
-use usvg::roxmltree::{Document, Node};
+use usvg::roxmltree::{Attribute, Document, Node};
 
 use crate::error::SvgError;
 
 /// Refuses a document that becomes too large or too deep when every reference is replaced by a
 /// copy, and one with recursive references. Returns the number of elements.
 pub(crate) fn check(doc: &Document<'_>, segments: &[u64]) -> Result<u64, SvgError> {
-    let named = doc
-        .descendants()
-        .filter_map(|node| Some((node.attribute("id")?, node)));
     let mut counter = Counter {
         doc,
         segments,
-        // Of elements with the same name, the first counts.
-        named: named.collect::<Vec<_>>().into_iter().rev().collect(),
+        named: named(doc),
         known: vec![CostState::No; segments.len()],
     };
     let cost = counter.cost(doc.root_element(), 0)?;
@@ -33,6 +29,67 @@ pub(crate) fn check(doc: &Document<'_>, segments: &[u64]) -> Result<u64, SvgErro
         return Err(SvgError::TooManyCorners { limit });
     }
     Ok(cost.elements)
+}
+
+/// The attributes by which an element would be drawn inside itself.
+pub(super) fn circular_references<'a>(
+    doc: &'a Document<'a>,
+) -> Vec<(Node<'a, 'a>, Attribute<'a, 'a>)> {
+    let mut search = CircleSearch {
+        named: named(doc),
+        states: vec![SearchState::New; doc.descendants().count()],
+        found: Vec::new(),
+    };
+    search.visit(doc.root_element(), 0);
+    search.found
+}
+
+struct CircleSearch<'a> {
+    named: HashMap<&'a str, Node<'a, 'a>>,
+    /// By element number in the document.
+    states: Vec<SearchState>,
+    found: Vec<(Node<'a, 'a>, Attribute<'a, 'a>)>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum SearchState {
+    New,
+    /// Its content is being visited.
+    Open,
+    Done,
+}
+
+impl<'a> CircleSearch<'a> {
+    /// Visits an element and what it draws. What is too deep is refused later.
+    fn visit(&mut self, node: Node<'a, 'a>, depth: u32) {
+        let number = node.id().get_usize();
+        if self.states[number] != SearchState::New || depth > MAX_DEPTH {
+            return;
+        }
+        self.states[number] = SearchState::Open;
+        for child in node.children().filter(Node::is_element) {
+            self.visit(child, depth + 1);
+        }
+        for (attribute, name) in references(node) {
+            let Some(&target) = self.named.get(name) else {
+                continue;
+            };
+            if self.states[target.id().get_usize()] == SearchState::Open {
+                self.found.push((node, attribute));
+            } else {
+                self.visit(target, depth + 1);
+            }
+        }
+        self.states[number] = SearchState::Done;
+    }
+}
+
+/// The elements by name. Of those with the same name, the first counts.
+fn named<'a>(doc: &'a Document<'a>) -> HashMap<&'a str, Node<'a, 'a>> {
+    let nodes = doc.descendants().rev();
+    nodes
+        .filter_map(|node| Some((node.attribute("id")?, node)))
+        .collect()
 }
 
 #[derive(Clone, Copy, Default)]
@@ -103,9 +160,10 @@ impl<'a> Counter<'a> {
         for child in node.children().filter(Node::is_element) {
             cost.add(self.cost(child, depth + 1)?, 1);
         }
-        for (name, is_marker) in references(node) {
+        for (attribute, name) in references(node) {
             if let Some(&target) = self.named.get(name) {
                 // A marker is drawn on every corner.
+                let is_marker = attribute.name().starts_with("marker");
                 let times = if is_marker { cost.segments + 1 } else { 1 };
                 cost.add(self.cost(target, depth + 1)?, times);
             }
@@ -139,13 +197,12 @@ fn is_group(node: Node<'_, '_>) -> bool {
     })
 }
 
-/// The names that an element refers to, and whether each is a marker.
-fn references<'a>(node: Node<'a, '_>) -> impl Iterator<Item = (&'a str, bool)> {
+/// The names that an element refers to, with their attributes.
+fn references<'a>(node: Node<'a, 'a>) -> impl Iterator<Item = (Attribute<'a, 'a>, &'a str)> {
     // A link does not draw its target.
     let draws = !matches!(node.tag_name().name(), "a" | "animate" | "set" | "mpath");
     node.attributes().flat_map(move |attribute| {
         let (name, value) = (attribute.name(), attribute.value());
-        let is_marker = name.starts_with("marker");
         let href = value.strip_prefix('#').filter(|_| draws && name == "href");
         let urls = value.split("url(").skip(1).filter_map(|rest| {
             let inner = rest.split(')').next()?.trim().trim_matches(['"', '\'']);
@@ -153,7 +210,7 @@ fn references<'a>(node: Node<'a, '_>) -> impl Iterator<Item = (&'a str, bool)> {
         });
         href.into_iter()
             .chain(urls)
-            .map(move |target| (target, is_marker))
+            .map(move |target| (attribute, target))
     })
 }
 

@@ -554,12 +554,77 @@ fn a_drawing_with_very_many_sheets_of_styles_is_read_at_once() {
 }
 
 #[test]
-fn an_element_inside_itself_is_refused() {
-    let message = error(&page(r##"<g id="a"><g><use href="#a"/></g></g>"##));
-    assert!(
-        message.ends_with("<g> refers to an element that contains it"),
-        "{message}"
-    );
+fn a_reference_to_an_element_around_it_is_ignored_and_reported() {
+    let line = r#"<path d="M1 1H9" stroke="red"/>"#;
+    for (content, name) in [
+        (
+            format!(r##"<g id="a">{line}<g><use href="#a"/></g></g>"##),
+            "href of <use> holds \"#a\"",
+        ),
+        (
+            format!(r##"{line}<use id="a" href="#a"/>"##),
+            "href of <use> holds \"#a\"",
+        ),
+        (
+            format!(
+                r##"<defs><g id="b"><use href="#c"/></g><g id="c">{line}<use href="#b"/></g></defs><use href="#c"/>"##
+            ),
+            "href of <use> holds \"#b\"",
+        ),
+        (
+            format!(
+                r##"<mask id="a" mask="url(#a)" maskUnits="userSpaceOnUse" width="50" height="50"><rect width="50" height="50" fill="white"/></mask><g mask="url(#a)">{line}</g>"##
+            ),
+            "mask of <mask> holds \"url(#a)\"",
+        ),
+    ] {
+        let (drawing, warnings) = Drawing::from_svg(&page(&content), &options()).unwrap();
+        assert_eq!(drawing.strokes.len(), 1, "{content}");
+        let warning = warnings[0].to_string();
+        let message = format!(
+            "circular reference: {name}; expected an element that does not contain this one: ignored"
+        );
+        assert!(warning.ends_with(&message), "{warning}");
+    }
+}
+
+#[test]
+fn a_file_with_an_error_is_drawn_up_to_it() {
+    let line = r#"<path d="M1 1H9" stroke="red"/>"#;
+    for (rest, message) in [
+        (
+            "",
+            "1:1: not well-formed XML: the file ends too soon: <svg> starts here and is not closed",
+        ),
+        (
+            "<g><path d='M1 2H9' stro",
+            "not well-formed XML: the file ends too soon: <path> starts here",
+        ),
+        ("<g><text>a & b</text></g></svg>", "not well-formed XML: "),
+        (
+            "<path d='M1 1H9' d='M2 2H9' stroke='red'/></svg>",
+            "not well-formed XML: ",
+        ),
+        ("<g></svg>", "not well-formed XML: expected 'g' tag"),
+        ("</svg><more", "not well-formed XML: "),
+    ] {
+        let whole = page(&format!("<g>{line}</g>"));
+        let text = whole.replace("</svg>", rest);
+        let (drawing, warnings) = Drawing::from_svg(&text, &options()).unwrap();
+        assert_eq!(drawing.strokes.len(), 1, "{text}");
+        let warning = warnings[0].to_string();
+        assert!(warning.contains(message), "{warning}");
+        assert!(
+            warning.ends_with(": the rest of the file is left out"),
+            "{warning}"
+        );
+        let strict = ReadOptions {
+            strict: true,
+            ..options()
+        };
+        let refused = crate::Source::from(&*text).read(&strict).unwrap_err();
+        assert!(refused.to_string().contains(message), "{refused}");
+    }
 }
 
 #[test]
