@@ -72,6 +72,7 @@ readonly OTHER_STEPS=(
   "compare-plan   Compare the time of Python's plan with vpype's"
   "compare-saxi   Compare the time from file to plan with saxi's modules"
   "compare-toppra Compare arm time with the time-optimal motion of toppra"
+  "lerobot        Load a dataset with LeRobot's own loader, which needs 7 GB of disk"
 )
 
 # Crates that take minutes to build and that few people change; `wide` tests them.
@@ -377,7 +378,7 @@ step_recordings() {
   tests/recordings/read.sh "$folder"
   rm -rf "$folder"
   mkdir "$folder"
-  DOBOT_RECORD_SAMPLES=$folder cargo test --locked --all-features "${FEATURED[@]}" -p dobot-record --test it -- --exact export::samples --ignored
+  record_session "$folder"
   tests/recordings/tables.sh "$(built)/dobot" "$folder"
   rm -rf "$folder"
   mkdir "$folder"
@@ -676,6 +677,22 @@ step_compare-toppra() {
   needs_drawings plan_json
   needs_packages compare
   "$VENV/bin/python" tests/compare/toppra_time.py target/drawings/*.svg
+}
+
+step_lerobot() {
+  local folder
+  needs_packages lerobot "$VENV-lerobot"
+  build_rare
+  folder=$(mktemp -d)
+  record_session "$folder"
+  "$(built)/dobot" log "$folder"/*.mcap --export lerobot --task "Turn." -o "$folder/dataset"
+  HF_HOME=$folder/cache HF_HUB_OFFLINE=1 "$VENV-lerobot/bin/python" tests/recordings/load_lerobot.py "$folder/dataset"
+  rm -rf "$folder"
+}
+
+# A recording of a session with pauses and rejected commands, in the folder named.
+record_session() {
+  DOBOT_RECORD_SAMPLES=$1 cargo test --locked --all-features "${FEATURED[@]}" -p dobot-record --test it -- --exact export::samples --ignored
 }
 
 # The drawings to compare programs on, and our example that processes them.

@@ -77,7 +77,8 @@ pub enum ServerEvent {
 enum Happening {
     Time,
     Connect((TcpStream, SocketAddr)),
-    Curious(
+    /// A client that asks for the world.
+    AskWorld(
         #[cfg_attr(
             not(feature = "world"),
             expect(dead_code, reason = "there is no world to show")
@@ -205,7 +206,7 @@ impl Server {
         tokio::select! {
             () = sleep_until(wakeup) => Happening::Time,
             connection = accept(self.tcp.as_ref()) => Happening::Connect(connection),
-            (stream, _) = accept(self.world.as_ref()) => Happening::Curious(stream),
+            (stream, _) = accept(self.world.as_ref()) => Happening::AskWorld(stream),
             count = read(self.client.as_mut(), &mut self.incoming) => Happening::Bytes(count),
         }
     }
@@ -222,9 +223,9 @@ impl Server {
                 Ok(())
             }
             #[cfg(feature = "world")]
-            Happening::Curious(stream) => self.show_world(stream),
+            Happening::AskWorld(stream) => self.show_world(stream),
             #[cfg(not(feature = "world"))]
-            Happening::Curious(_) => Ok(()),
+            Happening::AskWorld(_) => Ok(()),
             Happening::Bytes(Ok(1..)) => {
                 self.download(report);
                 Ok(())

@@ -192,14 +192,14 @@ impl ChainSpeeds {
             if self.wanted_s[i] < least_s {
                 self.wanted_s[i] = least_s;
             }
-            let mut speeds = self.speeds(chain, i);
+            let mut speeds = self.speeds_of(chain, i);
             let can_s = speeds.duration_s;
             // The ends are too fast for such a slow vector; lowering the limit slows the ends too.
             if can_s < least_s * (1.0 - 1e-9) {
                 let run = &mut chain[i];
                 run.limit_mm_s = run.limit_mm_s.min(run.length_mm / least_s) * SLOWER;
                 done = false;
-                speeds = self.speeds(chain, i);
+                speeds = self.speeds_of(chain, i);
             }
             self.speeds.push(speeds);
             credit.take(can_s.max(least_s));
@@ -212,7 +212,7 @@ impl ChainSpeeds {
 
     /// Returns the speeds of a vector, with the maximum speed that best matches the target
     /// duration.
-    fn speeds(&self, chain: &[ChainVector], i: usize) -> Speeds {
+    fn speeds_of(&self, chain: &[ChainVector], i: usize) -> Speeds {
         let (run, a) = (&chain[i], self.cornering.acceleration_mm_s2);
         let [start, end] = [i, i + 1].map(|at| self.junctions[at].speed_mm_s());
         let wanted_s = self.wanted_s[i];

@@ -1,5 +1,6 @@
 //! Random programs and their burn by the published rules of GRBL's laser mode ($32=1).
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
@@ -11,6 +12,8 @@ use proptest::prelude::*;
 /// - G0, drilling cycles and moves along Z alone never burn.
 /// - G1, G2 and G3 burn while M3, M4 or M106 hold and S is above 0. Before the first of them the
 ///   laser is off. M5 and M107 switch it off. In a file with M3 or M4, M106 and its S are for a fan.
+/// - Nothing burns while an output is off (M63, M65). In a file without M3, M4 and M106, the laser is
+///   on while all outputs are on (M62, M64), and M5 and M107 switch them off.
 /// - S holds from its line on, and is 0 before; without any S in the file M3, M4 and M106 have full
 ///   power.
 /// - In a file without any of these words G1, G2 and G3 burn.
@@ -26,15 +29,19 @@ impl Reference {
     pub(super) fn read(text: &str) -> Self {
         let text = uncommented(text);
         let lines: Vec<_> = text.lines().map(words).collect();
-        let has = |is: fn(&(char, f64)) -> bool| lines.iter().flatten().any(is);
-        let has_m = has(|word| word.0 == 'M' && [3.0, 4.0, 5.0, 106.0, 107.0].contains(&word.1));
-        let has_fan = has(|word| word.0 == 'M' && [3.0, 4.0].contains(&word.1));
+        let has_m = |codes: &[f64]| {
+            let is_one = |word: &(char, f64)| word.0 == 'M' && codes.contains(&word.1);
+            lines.iter().flatten().any(is_one)
+        };
+        let has_outputs = has_m(&[62.0, 63.0, 64.0, 65.0]);
+        let has_fan = has_m(&[3.0, 4.0]);
         let mut lines_of_laser = lines.iter().filter(|line| !(has_fan && is_of_fan(line)));
         let has_s = lines_of_laser.any(|line| line.iter().any(|word| word.0 == 'S'));
         let mut reader = Reader {
             has_fan,
+            is_by_outputs: has_outputs && !has_fan && !has_m(&[106.0]),
             full: !has_s,
-            is_without_power: !has_s && !has_m,
+            is_without_power: !has_s && !has_outputs && !has_m(&[3.0, 4.0, 5.0, 106.0, 107.0]),
             ..Reader::default()
         };
         for line in &lines {
@@ -62,6 +69,9 @@ impl Reference {
 struct Reader {
     /// M106 is for a fan.
     has_fan: bool,
+    /// Only outputs switch the laser on.
+    is_by_outputs: bool,
+    outputs: BTreeMap<u64, bool>,
     /// The power is full without S.
     full: bool,
     is_without_power: bool,
@@ -92,7 +102,16 @@ impl Reader {
                 ('M', 106.0) if self.has_fan => {}
                 ('S', _) if is_of_fan => {}
                 ('M', 3.0 | 4.0 | 106.0) => self.is_on = true,
-                ('M', 5.0 | 107.0) => self.is_on = false,
+                ('M', 5.0 | 107.0) => {
+                    self.is_on = false;
+                    if self.is_by_outputs {
+                        self.outputs.values_mut().for_each(|is_on| *is_on = false);
+                    }
+                }
+                ('M', 62.0..=65.0) => {
+                    let output = value('P').map_or(0, f64::to_bits);
+                    self.outputs.insert(output, [62.0, 64.0].contains(&code));
+                }
                 ('S', s) => self.s = s,
                 ('G', 90.0 | 91.0) => self.is_relative = code == 91.0,
                 ('G', 0.0..=3.0 | 80.0 | 81.0) => self.motion = code,
@@ -100,7 +119,13 @@ impl Reader {
             }
         }
         self.drills |= self.motion == 81.0;
-        let is_lit = self.is_without_power || self.is_on && (self.full || self.s > 0.0);
+        let are_on = self.outputs.values().all(|is_on| *is_on);
+        let is_on = if self.is_by_outputs {
+            are_on && !self.outputs.is_empty()
+        } else {
+            are_on && self.is_on
+        };
+        let is_lit = self.is_without_power || is_on && (self.full || self.s > 0.0);
         if has_g(4.0) {
             if is_lit {
                 self.dwells.push((self.at, self.z));
@@ -279,6 +304,10 @@ enum Line {
         m: u32,
         s: Option<u32>,
     },
+    Output {
+        m: u32,
+        p: u32,
+    },
     Power(u32),
     Dwell(Option<u32>),
     Holes(Vec<(i32, i32)>),
@@ -325,6 +354,7 @@ fn line() -> impl Strategy<Value = Line> {
         2 => (0..2_u32, height()).prop_map(|(g, z)| Line::Height { g, z }),
         2 => arc,
         5 => (m(), maybe_power()).prop_map(|(m, s)| Line::Switch { m, s }),
+        2 => (62..66_u32, 0..2_u32).prop_map(|(m, p)| Line::Output { m, p }),
         2 => power().prop_map(Line::Power),
         2 => prop::option::weighted(0.2, power()).prop_map(Line::Dwell),
         1 => prop::collection::vec((place(), place()), 1..4).prop_map(Line::Holes),
@@ -337,13 +367,14 @@ fn line() -> impl Strategy<Value = Line> {
 /// A random program of these words. Some have no S, no Z, or no M.
 pub(super) fn program(words: Words) -> impl Strategy<Value = String> {
     let lines = prop::collection::vec(line(), 1..25);
-    (lines, any::<[bool; 2]>(), 0..4_u32, any::<[bool; 2]>()).prop_map(
-        move |(lines, [has_s, has_z], kind, [is_small, is_numbered])| {
+    (lines, any::<[bool; 3]>(), 0..4_u32, any::<[bool; 2]>()).prop_map(
+        move |(lines, [has_s, has_z, has_outputs], kind, [is_small, is_numbered])| {
             let mut writer = Writer {
                 has_s: has_s || kind == 3,
                 has_z: has_z && words.has_z,
                 has_m: kind > 0 || words.has_switch,
                 has_servo: words.has_servo,
+                has_outputs,
                 ..Writer::default()
             };
             writer.text = "G21 G90\n".to_owned();
@@ -380,6 +411,7 @@ struct Writer {
     has_z: bool,
     has_m: bool,
     has_servo: bool,
+    has_outputs: bool,
     text: String,
     at: (i32, i32),
     z: i32,
@@ -434,6 +466,9 @@ impl Writer {
                 self.m(Some(m));
                 self.power(s.filter(|_| self.has_servo));
             }
+            Line::Output { m, p } if self.has_outputs => {
+                let _ = write!(self.text, "M{m} P{p}");
+            }
             Line::Power(s) => self.power(Some(s)),
             Line::Dwell(s) => {
                 self.text.push_str("G4 P0.5");
@@ -445,7 +480,7 @@ impl Writer {
                 self.code('G', 90 + u32::from(is_relative));
             }
             Line::Comment(text) => self.text.push_str(text),
-            Line::Height { .. } | Line::Holes(_) => {}
+            Line::Height { .. } | Line::Holes(_) | Line::Output { .. } => {}
         }
         self.text.push('\n');
     }
