@@ -51,8 +51,8 @@ pub(super) const fn is_drill(g_code: u32) -> bool {
 pub(super) const fn m(code: u32) -> Meaning {
     use Meaning::{LeftOut, Plain, Refused};
     match code {
-        // Laser or spindle, end (also M99 of a repeated program, and M112), tool change, coolant, motors and
-        // extruder, servo.
+        // Laser or spindle, end (also M99 of a repeated program, and M112), tool change, coolant,
+        // motors and extruder, servo.
         20 | 30 | 40 | 50 | 60 | 70 | 80 | 90 | 170 | 180 | 300 | 480 | 490 | 820 | 830 | 840
         | 990 | 1060 | 1070 | 1120 | 2800 => Plain,
         0 | 10 | 600 => LeftOut("drawn without a pause"),

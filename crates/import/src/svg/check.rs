@@ -26,8 +26,9 @@ pub(super) struct Damage {
 }
 
 impl Damage {
-    /// Checks every path, point list, length, transform, viewBox and reference of the document. Like a browser,
-    /// a shape is drawn up to the error, and other invalid values are ignored (SVG 1.1, F.2).
+    /// Checks every path, point list, length, transform, viewBox and reference of the document. Like
+    /// a browser, a shape is drawn up to the error, and other invalid values are ignored (SVG 1.1,
+    /// F.2).
     pub(super) fn of(doc: &Document<'_>, cancel: &CancelToken) -> Result<Self, Cancelled> {
         let mut damage = Self::default();
         for node in doc.descendants().filter(Node::is_element) {
