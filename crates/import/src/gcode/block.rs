@@ -15,12 +15,7 @@ pub(super) struct Block {
     /// Codes in tenths with their positions: `G90.1` is 901.
     pub(super) g: Codes,
     pub(super) m: Codes,
-    /// A `$` line, a command to GRBL that does not draw.
-    pub(super) is_setting: bool,
-    /// A lone `?`, `!` or `~`, a real-time command of GRBL.
-    pub(super) is_real_time: bool,
-    /// A second `%`, after which nothing belongs to the program.
-    pub(super) is_end: bool,
+    pub(super) kind: BlockKind,
     /// Whether it starts with `/`.
     pub(super) is_optional: bool,
     /// The values; valid for letters in the bit set.
@@ -30,14 +25,27 @@ pub(super) struct Block {
     letters: u32,
 }
 
+/// What a block is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum BlockKind {
+    /// Words, or nothing.
+    #[default]
+    Words,
+    /// A `$` line, a command to GRBL that does not draw.
+    Setting,
+    /// A lone `?`, `!` or `~`, a real-time command of GRBL.
+    RealTime,
+    /// A second `%`, after which nothing belongs to the program.
+    End,
+}
+
 impl Block {
     /// Clears the block and sets its position.
     fn begin(&mut self, at: usize) {
         (self.begin, self.at) = (at, at);
         self.g.0.clear();
         self.m.0.clear();
-        (self.is_setting, self.is_real_time) = (false, false);
-        (self.is_end, self.is_optional) = (false, false);
+        (self.kind, self.is_optional) = (BlockKind::Words, false);
         self.letters = 0;
     }
 
@@ -152,7 +160,7 @@ pub(super) fn each(
     while lines.at < text.len() && count < most {
         let read = lines.line(&mut block).and_then(|()| {
             lines.at = subroutines.next(lines.at, &block)?;
-            if block.is_empty() && !block.is_setting && !block.is_real_time && !block.is_end {
+            if block.is_empty() && block.kind == BlockKind::Words {
                 return Ok(());
             }
             hand_on(&block)
@@ -187,16 +195,18 @@ impl BlockLexer<'_> {
                 b'(' => self.comment()?,
                 b';' => self.skip_line(),
                 b'%' if block.is_empty() => {
-                    block.is_end = self.has_percent && self.has_words;
+                    if self.has_percent && self.has_words {
+                        block.kind = BlockKind::End;
+                    }
                     self.has_percent = true;
                     self.skip_line();
                 }
                 b'$' if block.is_empty() => {
-                    (block.at, block.is_setting) = (self.at, true);
+                    (block.at, block.kind) = (self.at, BlockKind::Setting);
                     self.skip_line();
                 }
                 b'?' | b'!' | b'~' if block.is_empty() && self.is_last_word() => {
-                    (block.at, block.is_real_time) = (self.at, true);
+                    (block.at, block.kind) = (self.at, BlockKind::RealTime);
                     self.at += 1;
                 }
                 b'/' if block.is_empty() => {

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use dobot_geometry::{Point, Vec2};
 
 use super::arc::{center_by_radius, far_sides, sweep_rad};
-use super::block::Block;
+use super::block::{Block, BlockKind};
 use super::codes::{self, Meaning};
 use super::laser::{LaserCodes, LaserState};
 use super::outputs::Outputs;
@@ -173,17 +173,20 @@ impl<'a, 'w> Machine<'a, 'w> {
             self.warn(block.at, "unreached line", instead);
             return Ok(());
         }
-        if block.is_end {
-            self.has_ended = true;
-            return Ok(());
-        }
-        if block.is_setting {
-            self.warn(block.at, "machine setting", "left out ($)");
-            return Ok(());
-        }
-        if block.is_real_time {
-            self.warn(block.at, "real-time command", "left out (?, ! or ~)");
-            return Ok(());
+        match block.kind {
+            BlockKind::Words => {}
+            BlockKind::Setting => {
+                self.warn(block.at, "machine setting", "left out ($)");
+                return Ok(());
+            }
+            BlockKind::RealTime => {
+                self.warn(block.at, "real-time command", "left out (?, ! or ~)");
+                return Ok(());
+            }
+            BlockKind::End => {
+                self.has_ended = true;
+                return Ok(());
+            }
         }
         if block.is_optional {
             self.warn(block.at, "optional line", "drawn (/)");

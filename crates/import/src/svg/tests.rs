@@ -573,7 +573,7 @@ fn a_reference_to_an_element_around_it_is_ignored_and_reported() {
         ),
         (
             format!(
-                r##"<mask id="a" mask="url(#a)" maskUnits="userSpaceOnUse" width="50" height="50"><rect width="50" height="50" fill="white"/></mask><g mask="url(#a)">{line}</g>"##
+                r#"<mask id="a" mask="url(#a)" maskUnits="userSpaceOnUse" width="50" height="50"><rect width="50" height="50" fill="white"/></mask><g mask="url(#a)">{line}</g>"#
             ),
             "mask of <mask> holds \"url(#a)\"",
         ),
