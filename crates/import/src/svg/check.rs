@@ -3,14 +3,11 @@
 use std::str::FromStr;
 
 use dobot_geometry::{CancelToken, Cancelled};
-use svgtypes::{
-    Length, NumberListParser, PathParser, PathSegment, SimplifyingPathParser, Transform, ViewBox,
-};
+use svgtypes::{Length, NumberListParser, PathParser, PathSegment, Transform, ViewBox};
 use usvg::roxmltree::{Attribute, Document, Node};
 
 use super::edits::Edit;
 use super::expand::circular_references;
-use super::handles::words;
 use crate::error::SvgError;
 use crate::limits::{Budget, MAX_NUMBER};
 use crate::place::printable;
@@ -97,10 +94,14 @@ fn valid_part(node: Node<'_, '_>, attribute: &Attribute<'_, '_>) -> Option<Strin
     }
 }
 
-/// Path data up to its first error.
-pub(super) fn valid_path(value: &str) -> String {
-    let segments = SimplifyingPathParser::from(value).map_while(Result::ok);
-    segments.map_while(|segment| words(&segment)).collect()
+/// Path data up to its first error. Arcs stay arcs: one with a far too large radius would become
+/// curves without end.
+fn valid_path(value: &str) -> String {
+    let segments = PathParser::from(value).map_while(Result::ok);
+    let valid = segments
+        .map(PathCommand::of)
+        .take_while(PathCommand::is_small);
+    valid.map(|command| command.text()).collect()
 }
 
 /// Counts the line segments of all shapes, by the number of their node in the document.
@@ -123,12 +124,12 @@ pub(super) fn segments(doc: &Document<'_>, budget: &mut Budget) -> Result<Vec<u6
     Ok(segments)
 }
 
-struct ValueProblem {
+pub(super) struct ValueProblem {
     /// The kind of value.
     kind: &'static str,
     /// The position in the value, in bytes.
     at: usize,
-    expected: &'static str,
+    pub(super) expected: &'static str,
 }
 
 fn check_value(node: Node<'_, '_>, name: &str, value: &str) -> Result<(), ValueProblem> {
@@ -163,7 +164,8 @@ fn check_value(node: Node<'_, '_>, name: &str, value: &str) -> Result<(), ValueP
     }
 }
 
-fn check_path(value: &str) -> Result<(), ValueProblem> {
+/// Checks path data. Data with an error must not be read with arcs as curves, which may have no end.
+pub(super) fn check_path(value: &str) -> Result<(), ValueProblem> {
     if value.trim() == "none" {
         return Ok(());
     }
@@ -175,7 +177,7 @@ fn check_path(value: &str) -> Result<(), ValueProblem> {
     for segment in PathParser::from(value) {
         let expected = "path data: commands MLHVCSQTAZ and finite numbers";
         let segment = segment.map_err(|error| problem(position(&error, value), expected))?;
-        if !numbers(segment).into_iter().all(is_small) {
+        if !PathCommand::of(segment).is_small() {
             return Err(problem(0, "coordinates of at most 1e9"));
         }
     }
@@ -210,27 +212,77 @@ fn check_points(value: &str) -> Result<(), ValueProblem> {
     Ok(())
 }
 
-fn numbers(segment: PathSegment) -> [f64; 6] {
-    use PathSegment as P;
-    match segment {
-        P::MoveTo { x, y, .. } | P::LineTo { x, y, .. } | P::SmoothQuadratic { x, y, .. } => {
-            [x, y, 0.0, 0.0, 0.0, 0.0]
+/// A segment of path data as its letter and numbers.
+struct PathCommand {
+    letter: char,
+    numbers: [f64; 7],
+    count: usize,
+}
+
+impl PathCommand {
+    fn of(segment: PathSegment) -> Self {
+        use PathSegment as P;
+        let flag = |is_set: bool| f64::from(u8::from(is_set));
+        match segment {
+            P::MoveTo { abs, x, y } => Self::new('M', abs, [x, y]),
+            P::LineTo { abs, x, y } => Self::new('L', abs, [x, y]),
+            P::HorizontalLineTo { abs, x } => Self::new('H', abs, [x]),
+            P::VerticalLineTo { abs, y } => Self::new('V', abs, [y]),
+            P::CurveTo {
+                abs,
+                x1,
+                y1,
+                x2,
+                y2,
+                x,
+                y,
+            } => Self::new('C', abs, [x1, y1, x2, y2, x, y]),
+            P::SmoothCurveTo { abs, x2, y2, x, y } => Self::new('S', abs, [x2, y2, x, y]),
+            P::Quadratic { abs, x1, y1, x, y } => Self::new('Q', abs, [x1, y1, x, y]),
+            P::SmoothQuadratic { abs, x, y } => Self::new('T', abs, [x, y]),
+            P::EllipticalArc {
+                abs,
+                rx,
+                ry,
+                x_axis_rotation,
+                large_arc,
+                sweep,
+                x,
+                y,
+            } => {
+                let flags = [flag(large_arc), flag(sweep)];
+                let numbers = [rx, ry, x_axis_rotation, flags[0], flags[1], x, y];
+                Self::new('A', abs, numbers)
+            }
+            P::ClosePath { abs } => Self::new('Z', abs, []),
         }
-        P::HorizontalLineTo { x, .. } => [x, 0.0, 0.0, 0.0, 0.0, 0.0],
-        P::VerticalLineTo { y, .. } => [0.0, y, 0.0, 0.0, 0.0, 0.0],
-        P::CurveTo {
-            x1,
-            y1,
-            x2,
-            y2,
-            x,
-            y,
-            ..
-        } => [x1, y1, x2, y2, x, y],
-        P::SmoothCurveTo { x2, y2, x, y, .. } => [x2, y2, x, y, 0.0, 0.0],
-        P::Quadratic { x1, y1, x, y, .. } => [x1, y1, x, y, 0.0, 0.0],
-        P::EllipticalArc { rx, ry, x, y, .. } => [rx, ry, x, y, 0.0, 0.0],
-        P::ClosePath { .. } => [0.0; 6],
+    }
+
+    fn new<const COUNT: usize>(letter: char, is_absolute: bool, values: [f64; COUNT]) -> Self {
+        let mut numbers = [0.0; 7];
+        numbers[..COUNT].copy_from_slice(&values);
+        let letter = if is_absolute {
+            letter
+        } else {
+            letter.to_ascii_lowercase()
+        };
+        Self {
+            letter,
+            numbers,
+            count: COUNT,
+        }
+    }
+
+    fn is_small(&self) -> bool {
+        self.numbers.into_iter().all(is_small)
+    }
+
+    fn text(&self) -> String {
+        let numbers: Vec<String> = self.numbers[..self.count]
+            .iter()
+            .map(f64::to_string)
+            .collect();
+        format!("{}{}", self.letter, numbers.join(" "))
     }
 }
 

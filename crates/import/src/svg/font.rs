@@ -8,6 +8,7 @@ use svgtypes::{SimplePathSegment, SimplifyingPathParser};
 use usvg::roxmltree::Node;
 use usvg::tiny_skia_path::{Path, PathBuilder};
 
+use super::check::check_path;
 use super::entities;
 use super::flatten::flatten;
 use crate::error::{SourceError, TextError};
@@ -145,12 +146,13 @@ fn path(character: char, data: &str) -> Result<Option<Path>, TextError> {
         reason = "as all paths of the library"
     )]
     let single = |number: f64| number as f32;
-    for segment in SimplifyingPathParser::from(data) {
-        let segment = segment.map_err(|error| {
-            damaged(format!(
-                "the path of {character:?} is invalid: {error}; export it again, or use another one"
-            ))
-        })?;
+    check_path(data).map_err(|problem| {
+        damaged(format!(
+            "the path of {character:?} is invalid: expected {}; export it again, or use another one",
+            problem.expected
+        ))
+    })?;
+    for segment in SimplifyingPathParser::from(data).map_while(Result::ok) {
         match segment {
             SimplePathSegment::MoveTo { x, y } => path.move_to(single(x), single(y)),
             SimplePathSegment::LineTo { x, y } => path.line_to(single(x), single(y)),

@@ -4,12 +4,14 @@
 use svgtypes::{SimplePathSegment as Segment, SimplifyingPathParser};
 use usvg::roxmltree::Node;
 
+use super::check::check_path;
 use super::edits::Edit;
 use crate::limits::MAX_NUMBER;
 
 /// A path whose coincident handles are moved a little along the curve; `None` if there are none.
 pub(super) fn freed(node: Node<'_, '_>) -> Option<Edit> {
     let attribute = node.attribute_node("d")?;
+    check_path(attribute.value()).ok()?;
     let path: Result<Vec<Segment>, _> = SimplifyingPathParser::from(attribute.value()).collect();
     let mut path = path.ok()?;
     let mut here = [0.0; 2];
@@ -64,7 +66,7 @@ fn towards(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
 }
 
 /// A segment in the words of path data; `None` if a number is too large.
-pub(super) fn words(segment: &Segment) -> Option<String> {
+fn words(segment: &Segment) -> Option<String> {
     let (sign, numbers) = match *segment {
         Segment::MoveTo { x, y } => ('M', vec![x, y]),
         Segment::LineTo { x, y } => ('L', vec![x, y]),

@@ -554,6 +554,30 @@ fn a_drawing_with_very_many_sheets_of_styles_is_read_at_once() {
 }
 
 #[test]
+fn a_far_too_large_radius_ends_a_path_and_takes_no_memory() {
+    let arc = "M1 1H9a1e150 10 0 0 1 10 10H9";
+    for content in [
+        format!(r#"<path d="{arc}" stroke="red"/>"#),
+        format!(
+            r#"<marker id="m"><path d="M0 0H1"/></marker><path d="{arc}" stroke="red" marker-mid="url(#m)"/>"#
+        ),
+        format!(
+            r#"<style>.a{{d:path("{arc}")}}</style><path class="a" d="M1 1H9" stroke="red"/>"#
+        ),
+        format!(
+            r#"<path style="d:path('{arc}')" d="M1 1H9" stroke="red"/>"#
+        ),
+        r#"<path d="M1 1H9" stroke="red"/><circle style="r:1e150px" stroke="red"/>"#.to_owned(),
+        r#"<path d="M1 1H9" stroke="red"/><rect width="9" height="9" rx="1e150" style="ry:1e150px;fill:none"/>"#.to_owned(),
+    ] {
+        let (drawing, warnings) = Drawing::from_svg(&page(&content), &options()).unwrap();
+        let length_mm: f64 = drawing.strokes.iter().map(Stroke::length_mm).sum();
+        assert!((length_mm - 8.0).abs() < 1e-3, "{length_mm} mm of {content}");
+        assert!(!warnings.is_empty(), "{content}");
+    }
+}
+
+#[test]
 fn a_reference_to_an_element_around_it_is_ignored_and_reported() {
     let line = r#"<path d="M1 1H9" stroke="red"/>"#;
     for (content, name) in [

@@ -2,6 +2,8 @@
 
 use cssparser::{Parser, Token};
 
+use crate::limits::MAX_NUMBER;
+
 /// A length, or a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Length {
@@ -13,11 +15,12 @@ pub(super) enum Length {
 }
 
 impl Length {
-    /// The length in the words of the library; `None` if it is below 0 where that is not allowed. In
+    /// The length in the words of the library; `None` if it is too large, or below 0 where that is not allowed. In
     /// styles of SVG elements, browsers read lengths without a unit.
     pub(super) fn text(self, below_zero: bool) -> Option<String> {
         let (Self::Number(value) | Self::Px(value) | Self::Relative(value, _)) = self;
-        (below_zero || value >= 0.0).then(|| match self {
+        let is_allowed = f64::from(value).abs() <= MAX_NUMBER && (below_zero || value >= 0.0);
+        is_allowed.then(|| match self {
             Self::Number(number) => number.to_string(),
             Self::Px(px) => format!("{px}px"),
             Self::Relative(number, unit) => format!("{number}{unit}"),

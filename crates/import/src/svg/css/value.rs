@@ -12,10 +12,12 @@ use std::str::FromStr;
 
 use cssparser::{Parser, Token};
 
+use super::super::check::check_path;
 use super::color::color;
 use super::family::quoted_families;
 use super::length::{Length, angle_deg, length, number};
 use super::property::Grammar;
+use crate::limits::MAX_NUMBER;
 
 /// A value of a property, without blanks around it; `None` if it is invalid.
 pub(super) fn value(grammar: Grammar, text: &str) -> Option<Cow<'_, str>> {
@@ -56,7 +58,10 @@ pub(super) fn value(grammar: Grammar, text: &str) -> Option<Cow<'_, str>> {
 fn is_plain(grammar: Grammar, text: &str) -> bool {
     use Grammar as G;
     let number = || text.parse().ok().filter(|number: &f64| number.is_finite());
-    let length = || svgtypes::Length::from_str(text).ok();
+    let length = || {
+        let length = svgtypes::Length::from_str(text).ok()?;
+        (length.number.abs() <= MAX_NUMBER).then_some(length)
+    };
     match grammar {
         G::Share => number().is_some_and(|number| (0.0..=1.0).contains(&number)),
         G::Number => number().is_some_and(|number| number >= 0.0),
@@ -142,7 +147,7 @@ fn dashes(input: &mut Parser<'_>) -> Option<String> {
     Some(lengths.join(" "))
 }
 
-/// The data of `path("...")`, with the rule of its filling left out.
+/// The data of `path("...")`, with the rule of its filling left out. As a whole it is valid or not.
 fn path(input: &mut Parser<'_>) -> Option<String> {
     if let Some(none) = one_of(input, &["none"]) {
         return Some(none.to_owned());
@@ -157,7 +162,7 @@ fn path(input: &mut Parser<'_>) -> Option<String> {
         inner.expect_exhausted()?;
         Ok::<_, cssparser::ParseError<()>>(path.to_string())
     });
-    path.ok()
+    path.ok().filter(|path| check_path(path).is_ok())
 }
 
 /// Transforms in the form of the attribute.
