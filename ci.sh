@@ -690,7 +690,7 @@ step_lerobot() {
   rm -rf "$folder"
 }
 
-# A recording of a session with pauses and rejected commands, in the folder named.
+# Records a session with pauses and rejected commands in the given folder.
 record_session() {
   DOBOT_RECORD_SAMPLES=$1 cargo test --locked --all-features "${FEATURED[@]}" -p dobot-record --test it -- --exact export::samples --ignored
 }

@@ -1,4 +1,4 @@
-"""Does with a dataset of `dobot log --export lerobot` what a training does, with LeRobot's own code.
+"""Uses a dataset of `dobot log --export lerobot` as a training run does, with LeRobot's own code.
 
 python tests/recordings/load_lerobot.py DATASET
 
@@ -35,7 +35,7 @@ def main(folder):
 
 
 def check_chunk(dataset, index):
-    """Actions of later frames are those of the same episode; behind its end the last one repeats."""
+    """Actions of later frames are those of the same episode; after its end the last one repeats."""
     frame = dataset[index]
     end = dataset.meta.episodes[int(frame["episode_index"])]["dataset_to_index"]
     for step in range(CHUNK):
@@ -47,10 +47,10 @@ def check_chunk(dataset, index):
 def check_normalized(dataset, batch, mode):
     features = dataset_to_policy_features(dataset.meta.features)
     modes = {FeatureType.STATE: mode, FeatureType.ACTION: mode}
-    to = NormalizerProcessorStep(features=features, norm_map=modes, stats=dataset.meta.stats)
-    back = UnnormalizerProcessorStep(features=features, norm_map=modes, stats=dataset.meta.stats)
-    normalized = to(batch_to_transition(batch))
-    restored = transition_to_batch(back(normalized))
+    normalizer = NormalizerProcessorStep(features=features, norm_map=modes, stats=dataset.meta.stats)
+    unnormalizer = UnnormalizerProcessorStep(features=features, norm_map=modes, stats=dataset.meta.stats)
+    normalized = normalizer(batch_to_transition(batch))
+    restored = transition_to_batch(unnormalizer(normalized))
     normalized = transition_to_batch(normalized)
     low, high = ("q01", "q99") if mode == NormalizationMode.QUANTILES else ("q10", "q90")
     for key in KEYS:

@@ -53,8 +53,8 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
     let mut moves = 0;
     let cancel = &options.cancel;
     let codes = LaserCodes::of(text, cancel);
-    let lines = (codes, usize::MAX);
-    let program = run(text, lines, cancel, sketch.warnings(), |motion| {
+    let machine = Machine::new(text, codes, sketch.warnings());
+    let program = run(machine, usize::MAX, cancel, |motion| {
         moves += 1;
         if moves > MAX_MOVES {
             let found = format!("more than {MAX_MOVES} moves");
@@ -71,8 +71,8 @@ fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkR
     rule.report(sketch.warnings(), options.gcode);
     let mut inker = Inker::new(&mut sketch, rule, switch);
     let warnings = &mut Warnings::new(text);
-    let lines = (codes, program.lines);
-    let drawn = run(text, lines, cancel, warnings, |motion| inker.draw(motion));
+    let machine = Machine::new(text, codes, warnings);
+    let drawn = run(machine, program.lines, cancel, |motion| inker.draw(motion));
     inker.finish()?;
     sketch.skip_mistake(drawn.read, REST_LEFT_OUT)?;
     Ok((sketch, rule))
@@ -89,15 +89,13 @@ struct Program {
 }
 
 /// Runs at most `most` lines of the program and passes its moves on.
-fn run<'a>(
-    text: &'a [u8],
-    (codes, most): (LaserCodes, usize),
+fn run(
+    mut machine: Machine<'_, '_>,
+    most: usize,
     cancel: &CancelToken,
-    warnings: &mut Warnings<'a>,
     mut hand_on: impl FnMut(&Move) -> Result<(), SourceError>,
 ) -> Program {
-    let mut machine = Machine::new(text, codes, warnings);
-    let (lines, read) = block::each(text, most, |block| {
+    let (lines, read) = block::each(machine.text(), most, |block| {
         cancel.check()?;
         machine.handle(block, &mut hand_on)
     });

@@ -64,7 +64,7 @@ pub(super) const fn m(code: u32) -> Meaning {
 }
 
 /// Whether the words of an M code in tenths are its own parameters instead of a move: limits,
-/// currents, steps, axes.
+/// currents, steps, axes. Those of M42 include I, which would be the center of an arc.
 pub(super) const fn has_own_words(m_code: u32) -> bool {
     match m(m_code) {
         Meaning::LeftOut(_) => m_code > 90 && (m_code == 420 || !is_output(m_code)),

@@ -210,6 +210,11 @@ impl<'a, 'w> Machine<'a, 'w> {
         Ok(())
     }
 
+    /// The program.
+    pub(super) const fn text(&self) -> &'a [u8] {
+        self.text
+    }
+
     /// The current tool and laser.
     pub(super) const fn state(&self) -> (ToolState, LaserState) {
         (self.tool, self.laser)

@@ -46,7 +46,7 @@ impl Outputs {
     }
 
     /// Whether all of them are on; `None` before the first. One of them may be the laser, and
-    /// another one its air.
+    /// another one its air assist.
     pub(super) fn are_on(&self) -> Option<bool> {
         (!self.known.is_empty()).then_some(self.on.len() == self.known.len())
     }

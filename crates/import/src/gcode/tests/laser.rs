@@ -110,23 +110,27 @@ fn a_file_for_a_pen_is_burned_without_its_dots_and_travels() {
     );
 }
 
-#[test]
-fn a_fan_beside_m3_neither_switches_the_laser_on_nor_sets_its_power() {
-    let line = [[(0.0, 0.0), (10.0, 0.0)]];
-    for text in [
-        "M106 S255\nG1 X10\nM3 S100\nG1 X20\nM5\nG1 X30\nM107",
-        "M3 S100\nG1 X10\nM5\nM106 S255\nG1 X20\nM107",
-        "M4 S0\nM106 S255\nG1 X10\nS100\nG1 X20\nM107 M5\nG1 X30",
-        "M3 M106 S0\nG1 X10\nM3 S100\nG1 X20\nM5",
-    ] {
-        assert_eq!(corners(text), line, "{text}");
+/// Asserts that each program burns 10 mm, in one line.
+#[track_caller]
+fn assert_one_line(texts: &[&str]) {
+    for text in texts {
+        assert_eq!(corners(text), [[(0.0, 0.0), (10.0, 0.0)]], "{text}");
     }
 }
 
 #[test]
+fn a_fan_beside_m3_neither_switches_the_laser_on_nor_sets_its_power() {
+    assert_one_line(&[
+        "M106 S255\nG1 X10\nM3 S100\nG1 X20\nM5\nG1 X30\nM107",
+        "M3 S100\nG1 X10\nM5\nM106 S255\nG1 X20\nM107",
+        "M4 S0\nM106 S255\nG1 X10\nS100\nG1 X20\nM107 M5\nG1 X30",
+        "M3 M106 S0\nG1 X10\nM3 S100\nG1 X20\nM5",
+    ]);
+}
+
+#[test]
 fn a_laser_is_dark_while_an_output_is_off() {
-    let line = [[(0.0, 0.0), (10.0, 0.0)]];
-    for text in [
+    assert_one_line(&[
         "M62 P0\nG1 X10\nM63 P0\nG1 X20",
         "G1 X10\nM64 P1\nG1 X20\nM65 P1\nG1 X30",
         "M67 E0 Q0\nG1 X10\nM67 E0 Q50\nG1 X20\nM68 E0 Q0\nG1 X30",
@@ -135,9 +139,7 @@ fn a_laser_is_dark_while_an_output_is_off() {
         "M3 S100\nM67 E0 Q0\nG1 X10\nM67 E0 Q50\nG1 X20\nM5\nG1 X30",
         // The air is on, the laser is not.
         "M62 P0\nG1 X10\nM63 P0\nM62 P1\nG1 X20",
-    ] {
-        assert_eq!(corners(text), line, "{text}");
-    }
+    ]);
     let (_, warnings) = draw("M3 S255\nM62 P0\nG1 X10\nM63 P0\nG1 X20");
     let message = |line, code| {
         format!("{line}:1: 1 {code} code: read as a switch of the tool, like M3 and M5")
@@ -149,7 +151,7 @@ fn a_laser_is_dark_while_an_output_is_off() {
 fn nothing_is_burned_after_the_end_of_a_program() {
     for end in ["M2", "M30", "M112", "%"] {
         let text = format!("%\nM3 S9\nG1 X10\n{end}\nG1 X20");
-        assert_eq!(corners(&text), [[(0.0, 0.0), (10.0, 0.0)]], "{end}");
+        assert_one_line(&[&text]);
     }
 }
 
