@@ -213,7 +213,7 @@ fn check_points(value: &str) -> Result<(), ValueProblem> {
 }
 
 /// A segment of path data as its letter and numbers.
-struct PathCommand {
+pub(super) struct PathCommand {
     letter: char,
     numbers: [f64; 7],
     count: usize,
@@ -251,14 +251,20 @@ impl PathCommand {
                 y,
             } => {
                 let flags = [flag(large_arc), flag(sweep)];
-                let numbers = [rx, ry, x_axis_rotation, flags[0], flags[1], x, y];
+                // Any number of whole turns is allowed.
+                let rotation = x_axis_rotation % 360.0;
+                let numbers = [rx, ry, rotation, flags[0], flags[1], x, y];
                 Self::new('A', abs, numbers)
             }
             P::ClosePath { abs } => Self::new('Z', abs, []),
         }
     }
 
-    fn new<const COUNT: usize>(letter: char, is_absolute: bool, values: [f64; COUNT]) -> Self {
+    pub(super) fn new<const COUNT: usize>(
+        letter: char,
+        is_absolute: bool,
+        values: [f64; COUNT],
+    ) -> Self {
         let mut numbers = [0.0; 7];
         numbers[..COUNT].copy_from_slice(&values);
         let letter = if is_absolute {
@@ -273,11 +279,11 @@ impl PathCommand {
         }
     }
 
-    fn is_small(&self) -> bool {
+    pub(super) fn is_small(&self) -> bool {
         self.numbers.into_iter().all(is_small)
     }
 
-    fn text(&self) -> String {
+    pub(super) fn text(&self) -> String {
         let numbers: Vec<String> = self.numbers[..self.count]
             .iter()
             .map(f64::to_string)

@@ -4,9 +4,8 @@
 use svgtypes::{SimplePathSegment as Segment, SimplifyingPathParser};
 use usvg::roxmltree::Node;
 
-use super::check::check_path;
+use super::check::{PathCommand, check_path};
 use super::edits::Edit;
-use crate::limits::MAX_NUMBER;
 
 /// A path whose coincident handles are moved a little along the curve; `None` if there are none.
 pub(super) fn freed(node: Node<'_, '_>) -> Option<Edit> {
@@ -30,9 +29,10 @@ pub(super) fn freed(node: Node<'_, '_>) -> Option<Edit> {
             | Segment::Quadratic { x, y, .. } => [x, y],
         };
     }
+    let commands = path.iter().map(command).take_while(PathCommand::is_small);
     moved.then(|| Edit {
         range: attribute.range_value(),
-        words: path.iter().map_while(words).collect(),
+        words: commands.map(|command| command.text()).collect(),
     })
 }
 
@@ -65,11 +65,10 @@ fn towards(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
     [0, 1].map(|value| from[value] + SHARE * (to[value] - from[value]))
 }
 
-/// A segment in the words of path data; `None` if a number is too large.
-fn words(segment: &Segment) -> Option<String> {
-    let (sign, numbers) = match *segment {
-        Segment::MoveTo { x, y } => ('M', vec![x, y]),
-        Segment::LineTo { x, y } => ('L', vec![x, y]),
+fn command(segment: &Segment) -> PathCommand {
+    match *segment {
+        Segment::MoveTo { x, y } => PathCommand::new('M', true, [x, y]),
+        Segment::LineTo { x, y } => PathCommand::new('L', true, [x, y]),
         Segment::CurveTo {
             x1,
             y1,
@@ -77,13 +76,10 @@ fn words(segment: &Segment) -> Option<String> {
             y2,
             x,
             y,
-        } => ('C', vec![x1, y1, x2, y2, x, y]),
-        Segment::Quadratic { x1, y1, x, y } => ('Q', vec![x1, y1, x, y]),
-        Segment::ClosePath => ('Z', Vec::new()),
-    };
-    let is_small = numbers.iter().all(|number| number.abs() <= MAX_NUMBER);
-    let numbers: Vec<String> = numbers.iter().map(ToString::to_string).collect();
-    is_small.then(|| format!("{sign}{}", numbers.join(" ")))
+        } => PathCommand::new('C', true, [x1, y1, x2, y2, x, y]),
+        Segment::Quadratic { x1, y1, x, y } => PathCommand::new('Q', true, [x1, y1, x, y]),
+        Segment::ClosePath => PathCommand::new('Z', true, []),
+    }
 }
 
 /// The fraction of the handle; enough for a direction, and the curve moves by less than half of it.

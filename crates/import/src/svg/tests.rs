@@ -554,6 +554,19 @@ fn a_drawing_with_very_many_sheets_of_styles_is_read_at_once() {
 }
 
 #[test]
+fn an_arc_may_turn_any_number_of_times() {
+    let length_mm = |turn: &str| {
+        let (strokes, _) = draw(&format!(
+            r#"<path d="M20 20a5 9 {turn} 0 1 9 9" stroke="red" fill="none"/>"#
+        ));
+        strokes.iter().map(Stroke::length_mm).sum::<f64>()
+    };
+    for (turn, same) in [("400", "40"), ("-320", "40"), ("36e10", "0")] {
+        assert!((length_mm(turn) - length_mm(same)).abs() < 1e-3, "{turn}");
+    }
+}
+
+#[test]
 fn a_far_too_large_radius_ends_a_path_and_takes_no_memory() {
     let arc = "M1 1H9a1e150 10 0 0 1 10 10H9";
     for content in [

@@ -15,8 +15,8 @@ pub(super) enum Length {
 }
 
 impl Length {
-    /// The length in the words of the library; `None` if it is too large, or below 0 where that is not allowed. In
-    /// styles of SVG elements, browsers read lengths without a unit.
+    /// The length in the words of the library; `None` if it is too large, or below 0 where that is
+    /// not allowed. In styles of SVG elements, browsers read lengths without a unit.
     pub(super) fn text(self, below_zero: bool) -> Option<String> {
         let (Self::Number(value) | Self::Px(value) | Self::Relative(value, _)) = self;
         let is_allowed = f64::from(value).abs() <= MAX_NUMBER && (below_zero || value >= 0.0);
