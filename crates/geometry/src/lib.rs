@@ -18,6 +18,8 @@ mod deviation;
 mod direction;
 mod height_map;
 mod linear;
+#[cfg(feature = "polygons")]
+mod polygons;
 mod random;
 mod segment_index;
 mod stroke;
@@ -32,6 +34,8 @@ pub use deviation::{Deviation, PathDistance, WorstPoint, deviation};
 pub use direction::direction;
 pub use height_map::HeightMap;
 pub use linear::{inverse, solve};
+#[cfg(feature = "polygons")]
+pub use polygons::Polygons;
 pub use random::Random;
 pub use segment_index::SegmentIndex;
 pub use stroke::{Stroke, steps};

@@ -22,6 +22,16 @@ impl Stroke {
         }
     }
 
+    /// Creates a closed line from a ring whose last point connects to the first.
+    #[must_use]
+    pub fn ring(mut points: Vec<Point>) -> Self {
+        points.extend(points.first().copied());
+        Self {
+            points,
+            closed: true,
+        }
+    }
+
     /// Returns the length of the line, in millimetres.
     #[must_use]
     pub fn length_mm(&self) -> f64 {

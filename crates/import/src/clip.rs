@@ -4,11 +4,10 @@ use std::cell::{Cell, OnceCell};
 use std::rc::Rc;
 
 use dobot_geometry::{
-    FillRule, Line, ParamCurveNearest, Point, Rect, SegmentIndex, Stroke, bounds,
+    FillRule, Line, ParamCurveNearest, Point, Polygons, Rect, SegmentIndex, Stroke, bounds,
 };
 
 use crate::limits::{Budget, OverBudget};
-use crate::polygon::Polygons;
 
 /// The visible part of a clip path: the union of areas.
 #[derive(Debug, Default)]
@@ -184,7 +183,9 @@ impl ClipArea {
     pub(crate) fn polygons(&self) -> Option<Polygons> {
         let whole = Polygons::new(&self.rings, self.rule);
         let mut within = self.within.iter();
-        within.try_fold(whole?, |shown, region| shown.and(region.polygons()?))
+        within.try_fold(whole?, |shown, region| {
+            shown.intersection(region.polygons()?)
+        })
     }
 
     fn shows(&self, p: Point) -> bool {

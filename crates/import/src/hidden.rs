@@ -3,12 +3,11 @@
 use std::cell::OnceCell;
 use std::rc::Rc;
 
-use dobot_geometry::{Area, Point, Rect, SegmentIndex, Stroke, bounds};
+use dobot_geometry::{Area, Point, Polygons, Rect, SegmentIndex, Stroke, bounds};
 
 use crate::artwork::Layer;
 use crate::clip::{ClipArea, Region, parts_on};
 use crate::limits::{Budget, OverBudget};
-use crate::polygon::Polygons;
 
 /// The painted areas, in their order.
 #[derive(Debug, Default)]
@@ -290,7 +289,7 @@ fn seen(area: &Area, covers: &[&Cover]) -> Option<Area> {
     while !rest.is_empty() && !seen.is_empty() {
         let (some, others) = rest.split_at(count.min(rest.len()));
         let some: Option<Vec<&Polygons>> = some.iter().map(|item| item.polygons()).collect();
-        seen = seen.without(some?)?;
+        seen = seen.difference(some?)?;
         (rest, count) = (others, 2 * count);
     }
     Some(seen.into_area())

@@ -35,7 +35,6 @@ mod packed;
 mod picture;
 mod place;
 mod points;
-mod polygon;
 mod sketch;
 mod source;
 mod stack;

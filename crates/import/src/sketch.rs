@@ -5,7 +5,9 @@ use std::collections::hash_map::Entry;
 use std::iter::repeat;
 use std::rc::Rc;
 
-use dobot_geometry::{Area, CubicBez, FillRule, ParamCurve, Point, Stroke, bounds, chords};
+use dobot_geometry::{
+    Area, CubicBez, FillRule, ParamCurve, Point, Polygons, Stroke, bounds, chords,
+};
 
 use crate::arc::{Arc, SAME_MM};
 use crate::artwork::{Artwork, Layer};
@@ -16,7 +18,6 @@ use crate::hidden::UNKNOWN;
 use crate::limits::{Budget, LIMIT_MM, MAX_SEGMENTS, OverBudget, checked_tolerance_mm};
 use crate::options::ReadOptions;
 use crate::place::place;
-use crate::polygon::Polygons;
 use crate::stack::Stack;
 use crate::warning::{Warning, Warnings};
 
@@ -351,7 +352,7 @@ impl<'a> Sketch<'a> {
             let of_areas = heights.areas.split_off(areas);
             for (area, height) in layer.areas.split_off(areas).into_iter().zip(of_areas) {
                 let cut = Polygons::new(&area.rings, area.rule)
-                    .and_then(|polygon| polygon.and(inside.polygons()?))
+                    .and_then(|polygon| polygon.intersection(inside.polygons()?))
                     .map(Polygons::into_area);
                 match cut {
                     Some(cut) if cut.rings.is_empty() => {}

@@ -84,7 +84,7 @@ fn without_ink(mut plan: Plan, tool: DrawingTool) -> Plan {
 
 fn rectangle(Rect { x0, y0, x1, y1 }: Rect) -> Stroke {
     let corners = [(x1, y1), (x1, y0), (x0, y0), (x0, y1)];
-    closed(corners.map(|(x, y)| Point::new(x, y)).to_vec())
+    Stroke::ring(corners.map(|(x, y)| Point::new(x, y)).to_vec())
 }
 
 /// Returns the convex hull: lower and upper chain of the points from left to right.
@@ -92,13 +92,13 @@ fn hull(mut points: Vec<Point>) -> Stroke {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     points.dedup();
     if points.len() < 3 {
-        return closed(points);
+        return Stroke::ring(points);
     }
     let mut around = chain(points.iter().copied());
     around.pop();
     around.extend(chain(points.iter().rev().copied()));
     around.pop();
-    closed(around)
+    Stroke::ring(around)
 }
 
 /// Returns the points of a chain with all others to the left.
@@ -113,14 +113,6 @@ fn chain(points: impl Iterator<Item = Point>) -> Vec<Point> {
         chain.push(p);
     }
     chain
-}
-
-fn closed(mut points: Vec<Point>) -> Stroke {
-    points.extend(points.first().copied());
-    Stroke {
-        points,
-        closed: true,
-    }
 }
 
 /// The minimum lift of a pen; removed from the plan again.

@@ -304,11 +304,11 @@ impl Lines {
             return drawn_by_pen(self.own, here, tool, settings);
         }
         let cutting = settings.cutting_of(tool);
-        let (own, gone) = cutting.offset(self.own, others, settings.flatten_mm());
+        let offset = cutting.offset(self.own, others, settings.flatten_mm());
         let groups = if tool.cuts() && settings.tries.is_some() {
-            inner_first(own, &self.whole)
+            inner_first(offset.strokes, &self.whole)
         } else {
-            vec![own]
+            vec![offset.strokes]
         };
         // The hatching of parts is burned before they are cut out.
         let mut strokes = in_order(vec![self.fills], here, tool, settings);
@@ -316,9 +316,14 @@ impl Lines {
         let cut = cutting.finished(in_order(groups, here, tool, settings), others);
         strokes.extend(cut.strokes);
         warnings.extend(counted(
-            gone,
+            offset.vanished,
             "narrow shape",
             "omitted, because the beam is wider",
+        ));
+        warnings.extend(counted(
+            offset.entangled,
+            "shape",
+            "cut without the kerf, because its edge crosses itself too often",
         ));
         warnings.extend(counted(
             cut.too_small,

@@ -2,9 +2,9 @@
 
 use std::collections::HashSet;
 
-use dobot_geometry::{FillRule, Line, ParamCurveNearest, Point, Rect, SegmentIndex, Stroke, Vec2};
-
-use crate::strokes::offset::{SimpleArea, closed};
+use dobot_geometry::{
+    FillRule, Line, ParamCurveNearest, Point, Polygons, Rect, SegmentIndex, Stroke, Vec2,
+};
 
 /// The settings for cutting shapes out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -29,29 +29,37 @@ impl Cutting {
     }
 
     /// Offsets closed shapes by the kerf: parts and holes alternate, the outermost shape is a part,
-    /// and shapes cut in other layers count. Returns the number of vanished shapes too.
+    /// and shapes cut in other layers count.
     pub(crate) fn offset(
         &self,
         strokes: Vec<Stroke>,
         others: &[&Stroke],
         tolerance_mm: f64,
-    ) -> (Vec<Stroke>, usize) {
+    ) -> OffsetShapes {
+        let mut shapes = OffsetShapes::default();
         if self.kerf_mm == 0.0 {
-            return (strokes, 0);
+            shapes.strokes = strokes;
+            return shapes;
         }
         let depths = depths(&strokes, others);
-        let (mut all, mut gone) = (Vec::new(), 0);
         for (stroke, depth) in strokes.into_iter().zip(depths) {
             if !is_loop(&stroke) {
-                all.push(stroke);
+                shapes.strokes.push(stroke);
                 continue;
             }
             let side = if depth % 2 == 0 { 0.5 } else { -0.5 };
-            let mut moved = moved(&stroke, side * self.kerf_mm, tolerance_mm);
-            gone += usize::from(moved.is_empty());
-            all.append(&mut moved);
+            match offset(&stroke, side * self.kerf_mm, tolerance_mm) {
+                Some(parts) => {
+                    shapes.vanished += usize::from(parts.is_empty());
+                    shapes.strokes.extend(parts);
+                }
+                None => {
+                    shapes.entangled += 1;
+                    shapes.strokes.push(stroke);
+                }
+            }
         }
-        (all, gone)
+        shapes
     }
 
     /// Returns the strokes in order; closed ones with lead-in, overcut or tabs.
@@ -129,6 +137,16 @@ impl Cutting {
         };
         (0..self.tabs).map(piece).collect()
     }
+}
+
+/// Shapes offset by the kerf.
+#[derive(Debug, Default)]
+pub(crate) struct OffsetShapes {
+    pub strokes: Vec<Stroke>,
+    /// The number of shapes that vanished, because the beam is wider.
+    pub vanished: usize,
+    /// The number of shapes that are not offset, because their edge crosses itself too often.
+    pub entangled: usize,
 }
 
 /// The cuts of shapes.
@@ -381,11 +399,11 @@ fn is_ahead((a, b): (Point, Point), at: Point) -> bool {
 }
 
 /// Offsets the edge of a closed stroke outwards, or inwards if negative; the result may have
-/// several parts or none.
-fn moved(stroke: &Stroke, by_mm: f64, tolerance_mm: f64) -> Vec<Stroke> {
-    let ring = &stroke.points[1..];
-    let rings = SimpleArea::of([ring], FillRule::NonZero).offset(by_mm, tolerance_mm);
-    rings.into_iter().map(closed).collect()
+/// several parts or none. `None` if the edge crosses itself too often.
+fn offset(stroke: &Stroke, by_mm: f64, tolerance_mm: f64) -> Option<Vec<Stroke>> {
+    let shape = Polygons::new(&[stroke.points[1..].to_vec()], FillRule::NonZero)?;
+    let rings = shape.offset(by_mm, tolerance_mm).into_iter();
+    Some(rings.map(Stroke::ring).collect())
 }
 
 /// Returns the part of a path between two distances along it, in mm.
@@ -428,6 +446,7 @@ mod tests {
     use dobot_geometry::bounds;
 
     use super::*;
+    use crate::strokes::shapes::tangle;
 
     fn square(x: f64, y: f64, side: f64) -> Stroke {
         let corners = [
@@ -513,16 +532,30 @@ mod tests {
         };
         let mut shapes = nest();
         shapes[1].points.reverse();
-        let (offset, gone) = cutting.offset(shapes, &[], 0.005);
-        let widths: Vec<f64> = offset.iter().map(width).collect();
-        assert_eq!((widths, gone), (vec![60.2, 19.8, 19.8, 8.2, 10.2], 0));
+        let offset = cutting.offset(shapes, &[], 0.005);
+        let widths: Vec<f64> = offset.strokes.iter().map(width).collect();
+        assert_eq!(widths, [60.2, 19.8, 19.8, 8.2, 10.2]);
+        assert_eq!(offset.vanished, 0);
         // A hole narrower than the beam vanishes.
-        let (left, gone) = cutting.offset(
+        let offset = cutting.offset(
             vec![square(0.0, 0.0, 9.0), square(4.0, 4.0, 0.15)],
             &[],
             0.005,
         );
-        assert_eq!((left.len(), gone), (1, 1));
+        assert_eq!((offset.strokes.len(), offset.vanished), (1, 1));
+    }
+
+    #[test]
+    fn a_shape_that_crosses_itself_millions_of_times_is_cut_as_it_is() {
+        let cutting = Cutting {
+            kerf_mm: 0.2,
+            ..Cutting::default()
+        };
+        let shapes = vec![Stroke::ring(tangle()), square(100.0, 0.0, 20.0)];
+        let offset = cutting.offset(shapes.clone(), &[], 0.005);
+        assert_eq!((offset.vanished, offset.entangled), (0, 1));
+        assert_eq!(offset.strokes[0], shapes[0]);
+        assert_eq!(width(&offset.strokes[1]), 20.2);
     }
 
     /// Two squares of 10 mm, one to the upper right of the other, through their common corner.
@@ -556,8 +589,8 @@ mod tests {
                 vec![40.4, 9.6],
             ),
         ] {
-            let (offset, _) = cutting.offset(shapes, &[], 0.005);
-            let widths: Vec<f64> = offset.iter().map(width).collect();
+            let offset = cutting.offset(shapes, &[], 0.005);
+            let widths: Vec<f64> = offset.strokes.iter().map(width).collect();
             assert_eq!(widths, sizes);
         }
     }
@@ -574,13 +607,14 @@ mod tests {
                 kerf_mm: 0.2,
                 ..Cutting::default()
             };
-            let (offset, gone) = cutting.offset(vec![shape], &[], 0.005);
+            let offset = cutting.offset(vec![shape], &[], 0.005);
             let areas: Vec<f64> = offset
+                .strokes
                 .iter()
                 .map(|stroke| area(&stroke.points).abs())
                 .collect();
             // Both meet in a corner and become one.
-            assert_eq!((areas.len(), gone), (1, 0), "{areas:?}");
+            assert_eq!((areas.len(), offset.vanished), (1, 0), "{areas:?}");
             assert!((areas[0] - 208.0).abs() < 0.1, "{areas:?}");
         }
     }
@@ -644,7 +678,7 @@ mod tests {
         let shapes = [-10.0, 10.0].map(|x| {
             let begin = (0.0, 5.0);
             let corners = [begin, (0.0, 10.0), (x, 10.0), (x, 0.0), (0.0, 0.0)];
-            closed(corners.map(Point::from).to_vec())
+            Stroke::ring(corners.map(Point::from).to_vec())
         });
         let cut = cutting.finished(shapes.to_vec(), &[]);
         assert_eq!(cut.short_of_room, 0);

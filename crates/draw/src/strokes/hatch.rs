@@ -186,6 +186,11 @@ pub enum HatchError {
         /// The maximum.
         most: u32,
     },
+    /// The borders cross too often for [`HatchStyle::Concentric`] and [`HatchStyle::Spiral`].
+    #[error(
+        "the borders of the area cross each other too often for concentric hatching: choose the hatch style lines"
+    )]
+    Entangled,
     /// There are more corners than a drawing can hold.
     #[error(
         "the hatch has about {corners:.0} corners; at most {most} are allowed: choose a wider spacing"

@@ -1,6 +1,6 @@
 //! Polylines with a width: areas, as in `AutoCAD`.
 
-use dobot_geometry::{Affine, Area, FillRule, Point, Vec2};
+use dobot_geometry::{Affine, Area, FillRule, Point, Polygons, Vec2};
 
 use super::entity::Entity;
 use super::renderer::EntityRenderer;
@@ -9,7 +9,6 @@ use crate::arc::Arc;
 use crate::error::SourceError;
 use crate::frame::way;
 use crate::limits::MAX_SEGMENTS;
-use crate::polygon::Polygons;
 
 /// A place on the middle line of a wide segment.
 ///

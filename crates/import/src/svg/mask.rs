@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use dobot_geometry::{Affine, Point, Stroke};
+use dobot_geometry::{Affine, Point, Polygons, Stroke};
 use usvg::{Group, Mask, MaskType, Node, Paint, Path};
 
 use super::ink::PAPER;
@@ -10,7 +10,6 @@ use super::renderer::{TreeRenderer, affine, rgb};
 use super::warning_count::WarningKind;
 use crate::clip::{ClipArea, Region};
 use crate::error::SvgError;
-use crate::polygon::Polygons;
 
 impl TreeRenderer<'_> {
     /// Adds the regions that a mask shows; `false` if it has half-tones, images or lines.
@@ -82,7 +81,7 @@ impl TreeRenderer<'_> {
             };
             *shown = match tone(path, kind) {
                 Some(true) => Polygons::union(vec![before, area]),
-                Some(false) => before.without([&area]),
+                Some(false) => before.difference([&area]),
                 None => None,
             };
         }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use dobot_geometry::{Affine, Area, CancelToken, FillRule, Point, Rect, Stroke, bounds};
+use dobot_geometry::{Affine, Area, CancelToken, FillRule, Point, Polygons, Rect, Stroke, bounds};
 
 use super::ink::{DashLength, FillPaint, Ink, InkColor, LinePaint, PAPER};
 use super::layers::Layers;
@@ -17,7 +17,6 @@ use crate::hidden::CoverPaint;
 use crate::limits::LIMIT_MM;
 use crate::limits::{Budget, MAX_SEGMENTS, OverBudget};
 use crate::options::ReadOptions;
-use crate::polygon::Polygons;
 use crate::warning::Warning;
 
 /// A collector of everything visible on the page.
@@ -514,7 +513,7 @@ fn shown<'r>(
                 return Ok(None);
             };
             let left = corners_left.checked_sub(before.corners() + region.corners());
-            let after = left.and_then(|_| before.and(region));
+            let after = left.and_then(|_| before.intersection(region));
             let (Some(left), Some(after)) = (left, after) else {
                 return Ok(None);
             };

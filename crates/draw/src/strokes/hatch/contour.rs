@@ -1,11 +1,10 @@
 //! Concentric hatching: the outline repeated inwards.
 
 use dobot_geometry::{
-    Area, CancelToken, Line, ParamCurveNearest, Point, SegmentIndex, Stroke, bounds,
+    Area, CancelToken, Line, ParamCurveNearest, Point, Polygons, SegmentIndex, Stroke, bounds,
 };
 
 use super::{Hatch, HatchError};
-use crate::strokes::offset::{SimpleArea, closed};
 
 /// Returns nested closed lines at the spacing. The edge of the area is drawn already: without an
 /// inset, the first lies one spacing inside.
@@ -20,7 +19,7 @@ pub(super) fn contours(
         hatch.spacing_mm
     };
     let levels = levels(area, first_mm, hatch.spacing_mm, cancel)?;
-    Ok(levels.into_iter().flatten().map(closed).collect())
+    Ok(levels.into_iter().flatten().map(Stroke::ring).collect())
 }
 
 /// Joins the nested lines to spirals: while the pen goes around one it moves on to the next, as
@@ -93,7 +92,7 @@ fn levels(
         let most = MAX_CORNERS;
         return Err(HatchError::TooManyCorners { corners, most });
     }
-    let whole = SimpleArea::of(area.rings.iter().map(Vec::as_slice), area.rule);
+    let whole = Polygons::new(&area.rings, area.rule).ok_or(HatchError::Entangled)?;
     let (mut levels, mut round) = (Vec::new(), 0.0);
     // The narrower side is used up after this number of rounds, even if rounding leaves thin tips.
     while round <= rounds + 1.0 {

@@ -4,6 +4,7 @@ use dobot_geometry::{Area, FillRule, Line, ParamCurveNearest, Point, Stroke, dir
 use proptest::prelude::*;
 
 use super::*;
+use crate::strokes::shapes::tangle;
 
 fn ring(corners: &[(f64, f64)]) -> Vec<Point> {
     corners.iter().map(|&(x, y)| Point::new(x, y)).collect()
@@ -261,6 +262,22 @@ fn more_lines_than_memory_holds_are_refused() {
     let huge = area(&[&[(0.0, 0.0), (1e9, 0.0), (1e9, 1e9)]], FillRule::NonZero);
     let error = hatch(&huge, &along_x(0.05)).unwrap_err();
     assert!(matches!(error, HatchError::TooMany { .. }), "{error}");
+}
+
+#[test]
+fn an_area_whose_border_crosses_itself_millions_of_times_is_hatched_with_lines_only() {
+    let area = Area {
+        rings: vec![tangle()],
+        rule: FillRule::NonZero,
+    };
+    for style in [HatchStyle::Concentric, HatchStyle::Spiral] {
+        let concentric = Hatch {
+            style,
+            ..along_x(2.0)
+        };
+        assert_eq!(hatch(&area, &concentric), Err(HatchError::Entangled));
+    }
+    assert!(hatch(&area, &along_x(2.0)).is_ok_and(|lines| !lines.is_empty()));
 }
 
 /// Corners on a coarse grid, where edges meet lines and each other in degenerate ways, or anywhere.

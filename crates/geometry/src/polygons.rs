@@ -1,18 +1,24 @@
-//! Boolean operations on filled areas.
+//! Boolean operations on areas, and offsets of them.
 
-use dobot_geometry::{Area, FillRule, Point, Rect, SegmentIndex, bounds};
 use i_overlay::core::fill_rule::FillRule as Rule;
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::float::simplify::SimplifyShape;
 use i_overlay::float::single::SingleFloatOverlay;
+use i_overlay::mesh::float::outline::offset::OutlineOffset;
+use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
+use kurbo::{Point, Rect};
+
+use crate::{Area, FillRule, SegmentIndex, bounds};
 
 /// Polygons with holes that neither overlap nor cross each other.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Polygons(Vec<Vec<Vec<[f64; 2]>>>);
+pub struct Polygons(Vec<Vec<Vec<[f64; 2]>>>);
 
 impl Polygons {
-    /// Creates polygons; `None` if the rings cross too often.
-    pub(crate) fn new(rings: &[Vec<Point>], rule: FillRule) -> Option<Self> {
+    /// Creates polygons from closed rings, whose last point connects to the first; `None` if they
+    /// cross so often that it would take too much time and memory.
+    #[must_use]
+    pub fn new(rings: &[Vec<Point>], rule: FillRule) -> Option<Self> {
         if is_entangled(rings) {
             return None;
         }
@@ -25,33 +31,51 @@ impl Polygons {
         Some(Self(rings.simplify_shape_as::<i64>(rule)))
     }
 
-    pub(crate) fn and(self, other: &Self) -> Option<Self> {
+    /// Returns the part inside both; `None` if they cross too often.
+    #[must_use]
+    pub fn intersection(self, other: &Self) -> Option<Self> {
         self.joined(other, OverlayRule::Intersect)
     }
 
-    /// The union.
-    pub(crate) fn union(all: Vec<Self>) -> Option<Self> {
+    /// Returns the part inside any; `None` if they cross too often.
+    #[must_use]
+    pub fn union(all: Vec<Self>) -> Option<Self> {
         // The rings of each go around their inside once, so that together they cover all of it.
         let all = Self(all.into_iter().flat_map(|item| item.0).collect());
         all.joined(&Self::default(), OverlayRule::Union)
     }
 
-    /// The part outside all others.
-    pub(crate) fn without<'p>(self, others: impl IntoIterator<Item = &'p Self>) -> Option<Self> {
+    /// Returns the part outside all others; `None` if they cross too often.
+    #[must_use]
+    pub fn difference<'p>(self, others: impl IntoIterator<Item = &'p Self>) -> Option<Self> {
         // The rings of each go around their inside once, so that together they cover all of it.
         let others = others.into_iter().flat_map(|other| other.0.iter().cloned());
         self.joined(&Self(others.collect()), OverlayRule::Difference)
     }
 
-    pub(crate) const fn is_empty(&self) -> bool {
+    /// Returns the rings enlarged by a distance, or reduced if it is negative, with round corners
+    /// within `round_mm`; the result may have several parts or none.
+    #[must_use]
+    pub fn offset(&self, by_mm: f64, round_mm: f64) -> Vec<Vec<Point>> {
+        if by_mm == 0.0 {
+            return self.rings().collect();
+        }
+        let share = (2.0 * round_mm / by_mm.abs()).sqrt().clamp(0.02, 1.0);
+        let style = OutlineStyle::new(by_mm).line_join(LineJoin::Round(share));
+        Self(self.0.outline_as::<i64>(&style)).rings().collect()
+    }
+
+    /// Whether nothing is inside.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    pub(crate) fn into_area(self) -> Area {
-        let point = |[x, y]: [f64; 2]| Point::new(x, y);
-        let ring = |ring: Vec<[f64; 2]>| ring.into_iter().map(point).collect();
+    /// Returns the rings as an area.
+    #[must_use]
+    pub fn into_area(self) -> Area {
         Area {
-            rings: self.0.into_iter().flatten().map(ring).collect(),
+            rings: self.rings().collect(),
             rule: FillRule::EvenOdd,
         }
     }
@@ -66,8 +90,9 @@ impl Polygons {
         Some(Self(self.0.overlay_as::<i64>(&other.0, how, Rule::NonZero)))
     }
 
-    /// The number of corners.
-    pub(crate) fn corners(&self) -> usize {
+    /// Returns the number of corners.
+    #[must_use]
+    pub fn corners(&self) -> usize {
         self.0.iter().flatten().map(Vec::len).sum()
     }
 
@@ -122,7 +147,7 @@ fn fragments(edges: &[(Point, Point)]) -> f64 {
 }
 
 /// The edges of a closed ring.
-pub(crate) fn edges(ring: &[Point]) -> impl Iterator<Item = (Point, Point)> {
+fn edges(ring: &[Point]) -> impl Iterator<Item = (Point, Point)> {
     let ends = ring.iter().cycle().skip(1);
     ring.iter().copied().zip(ends.copied())
 }
@@ -146,7 +171,7 @@ const FEW_CORNERS: usize = 750;
 mod tests {
     use proptest::prelude::*;
 
-    use dobot_geometry::{Line, ParamCurveNearest};
+    use kurbo::{Line, ParamCurveNearest};
 
     use super::*;
 
@@ -211,7 +236,7 @@ mod tests {
         let cut = |teeth| {
             let [one, other] = [false, true]
                 .map(|turned| Polygons::new(&[comb(teeth, turned)], FillRule::NonZero).unwrap());
-            one.and(&other)
+            one.intersection(&other)
         };
         assert!(cut(30).is_some_and(|cut| cut.corners() > 3000));
         assert!(cut(300).is_none());
@@ -234,7 +259,7 @@ mod tests {
             let rule = if even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
             let areas = [one, other].map(|value| Area { rings: vec![ring(&value)], rule });
             let [a, b] = [&areas[0], &areas[1]].map(|value| Polygons::new(&value.rings, rule).unwrap());
-            let both = a.clone().and(&b).unwrap().into_area();
+            let both = a.clone().intersection(&b).unwrap().into_area();
             let any = Polygons::union(vec![a, b]).unwrap().into_area();
             for p in ring(&points) {
                 if areas.iter().any(|area| distance(area, p) < 1e-4) {
