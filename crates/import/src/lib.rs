@@ -44,11 +44,11 @@ mod warning;
 mod xml;
 
 pub use artwork::{Artwork, Layer};
+pub use dobot_shading::{Shading, ShadingStyle};
 pub use error::{ImageError, SourceError, SvgError, TextError};
 pub use fonts::system_fonts;
 pub use formats::{Contents, FORMATS, Format};
 pub use options::{GcodeTool, LayersBy, ReadOptions};
-pub use picture::{Shading, ShadingStyle};
 pub use place::Place;
 pub use source::Source;
 pub use text::{Align, Font, StrokeFont, Text, Wrap};

@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use usvg::fontdb;
 
-use crate::picture::shading::Shading;
+use dobot_shading::Shading;
 
 /// Options of readers.
 #[derive(Clone, Debug)]

@@ -48,15 +48,12 @@ impl Cutting {
                 continue;
             }
             let side = if depth % 2 == 0 { 0.5 } else { -0.5 };
-            match offset(&stroke, side * self.kerf_mm, tolerance_mm) {
-                Some(parts) => {
-                    shapes.vanished += usize::from(parts.is_empty());
-                    shapes.strokes.extend(parts);
-                }
-                None => {
-                    shapes.entangled += 1;
-                    shapes.strokes.push(stroke);
-                }
+            if let Some(parts) = offset(&stroke, side * self.kerf_mm, tolerance_mm) {
+                shapes.vanished += usize::from(parts.is_empty());
+                shapes.strokes.extend(parts);
+            } else {
+                shapes.entangled += 1;
+                shapes.strokes.push(stroke);
             }
         }
         shapes

@@ -1,5 +1,6 @@
 //! Errors of pictures.
 
+use dobot_shading::ShadingError;
 use thiserror::Error;
 
 use crate::formats::Format;
@@ -50,28 +51,7 @@ pub enum ImageError {
         /// The largest number allowed, in millions.
         limit: usize,
     },
-    /// A setting of the shading is out of range.
-    #[error("the {setting} of the shading is {found}; allowed is {allowed}")]
-    Setting {
-        /// The setting.
-        setting: &'static str,
-        /// Its value.
-        found: f64,
-        /// What is allowed.
-        allowed: &'static str,
-    },
-    /// The lines are too close for the size of the picture; drawing it would take days.
-    #[error(
-        "a spacing of {spacing_mm} mm is too fine for a picture of {width_mm:.0} x {height_mm:.0} mm on the paper; allowed are {least_mm:.2} mm or more; use a wider spacing or a smaller picture"
-    )]
-    TooFine {
-        /// The spacing, on the paper.
-        spacing_mm: f64,
-        /// The smallest spacing for this size.
-        least_mm: f64,
-        /// The width of the picture on the paper.
-        width_mm: f64,
-        /// The height of the picture on the paper.
-        height_mm: f64,
-    },
+    /// The picture cannot be drawn with these settings.
+    #[error(transparent)]
+    Shading(#[from] ShadingError),
 }

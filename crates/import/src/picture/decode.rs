@@ -1,6 +1,7 @@
 //! Pictures to grey pixels: PNG and JPEG here, others in `others`.
 
 use dobot_geometry::{CancelToken, Point};
+use dobot_shading::{GreyPicture, Orientation};
 use image::ImageFormat;
 use png::{BitDepth, ColorType, Limits, Transformations, Unit};
 use zune_jpeg::JpegDecoder;
@@ -9,7 +10,7 @@ use zune_jpeg::zune_core::options::DecoderOptions;
 
 use super::cancellable::CancellableBytes;
 use super::deep::DeepPixels;
-use super::exif::Orientation;
+use super::exif::orientation;
 use super::frames::ANIMATION;
 use super::others;
 use crate::error::ImageError;
@@ -27,19 +28,27 @@ pub(super) struct Header {
 }
 
 impl Header {
+    /// The picture of these pixels.
+    pub(super) fn picture<'a>(&self, pixels: &'a [u8]) -> GreyPicture<'a> {
+        GreyPicture {
+            pixels,
+            width: self.width,
+            height: self.height,
+            page: self.stored_page(),
+            orientation: self.orientation,
+        }
+    }
+
     /// The stored rows and columns, in millimetres.
-    pub(super) fn stored_page(&self) -> Point {
-        let [width, height] = [self.width, self.height].map(super::tone::count);
+    #[expect(clippy::cast_precision_loss, reason = "at most 100 million")]
+    fn stored_page(&self) -> Point {
+        let [width, height] = [self.width, self.height].map(|pixels| pixels as f64);
         Point::new(width * self.pixel.x, height * self.pixel.y)
     }
 
-    /// The page as displayed.
+    /// The page as displayed, in millimetres.
     pub(super) fn page(&self) -> Point {
-        let stored = self.stored_page();
-        if self.orientation.transpose {
-            return Point::new(stored.y, stored.x);
-        }
-        stored
+        self.orientation.page(self.stored_page())
     }
 
     /// Refuses pictures without pixels and those with too many: not every decoder does.
@@ -133,7 +142,7 @@ fn png<'a>(bytes: &'a [u8], cancel: &CancelToken) -> Result<PngFile<'a>, ImageEr
     let info = reader.info();
     header.series = info.is_animated().then_some(ANIMATION);
     if let Some(exif) = &info.exif_metadata {
-        header.orientation = Orientation::of_exif(exif);
+        header.orientation = orientation(exif);
     }
     if let Some(dims) = info.pixel_dims
         && dims.unit == Unit::Meter
@@ -262,7 +271,7 @@ fn jpeg<'a>(bytes: &'a [u8], cancel: &CancelToken) -> Result<JpegFile<'a>, Image
         width,
         height,
         pixel: Point::new(PIXEL_MM, PIXEL_MM),
-        orientation: Orientation::of_exif(exif),
+        orientation: orientation(exif),
         series: None,
     };
     let components = decoder.info().map_or(0, |info| info.components.into());

@@ -1,14 +1,13 @@
 //! GIF, WebP, BMP and TIFF files to grey pixels.
 
-use dobot_geometry::{CancelToken, Point};
-use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
-
 use super::cancellable::CancellableBytes;
 use super::decode::{self, Header, PIXEL_MM, on_paper};
 use super::deep::DeepPixels;
-use super::exif::Orientation;
 use super::frames::series;
 use crate::error::ImageError;
+use dobot_geometry::{CancelToken, Point};
+use dobot_shading::Orientation;
+use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
 /// Reads the header only.
 pub(super) fn header(

@@ -2,22 +2,22 @@
 
 use dobot_geometry::{CancelToken, Point};
 
-use super::exif::Orientation;
+use crate::picture::Orientation;
 
 /// The ink of a page, from 0 (white) to 1 (black), on a grid of cells.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Tone {
-    pub(super) width: usize,
-    pub(super) height: usize,
+pub(crate) struct Tone {
+    pub(crate) width: usize,
+    pub(crate) height: usize,
     /// A cell's width and height, in millimetres.
-    pub(super) cell: Point,
+    pub(crate) cell: Point,
     /// The cells row by row, from the upper left corner.
-    pub(super) ink: Vec<f32>,
+    pub(crate) ink: Vec<f32>,
 }
 
 impl Tone {
     /// The size of the page in millimetres.
-    pub(super) fn page(&self) -> Point {
+    pub(crate) fn page(&self) -> Point {
         Point::new(
             count(self.width) * self.cell.x,
             count(self.height) * self.cell.y,
@@ -25,7 +25,7 @@ impl Tone {
     }
 
     /// The ink at a place on the page, interpolated between cell centers.
-    pub(super) fn at(&self, p: Point) -> f64 {
+    pub(crate) fn at(&self, p: Point) -> f64 {
         let (x0, x1, tx) = around(p.x / self.cell.x, self.width);
         let (y0, y1, ty) = around(p.y / self.cell.y, self.height);
         let ink = |x: usize, y: usize| f64::from(self.ink[y * self.width + x]);
@@ -38,7 +38,7 @@ impl Tone {
     }
 
     /// The center of a cell.
-    pub(super) fn middle(&self, x: usize, y: usize) -> Point {
+    pub(crate) fn middle(&self, x: usize, y: usize) -> Point {
         Point::new(
             (count(x) + 0.5) * self.cell.x,
             (count(y) + 0.5) * self.cell.y,
@@ -46,13 +46,13 @@ impl Tone {
     }
 
     /// The number of the cell at a place.
-    pub(super) fn index(&self, p: Point) -> usize {
+    pub(crate) fn index(&self, p: Point) -> usize {
         let x = cell(p.x / self.cell.x, self.width);
         cell(p.y / self.cell.y, self.height) * self.width + x
     }
 
     /// Blurs the tones with the standard deviation `radius_mm`.
-    pub(super) fn blurred(&self, radius_mm: f64, cancel: &CancelToken) -> Self {
+    pub(crate) fn blurred(&self, radius_mm: f64, cancel: &CancelToken) -> Self {
         let rows = blur_rows(&self.ink, self.width, radius_mm / self.cell.x, cancel);
         let columns = transposed(&rows, self.width);
         let columns = blur_rows(&columns, self.height, radius_mm / self.cell.y, cancel);
@@ -63,7 +63,7 @@ impl Tone {
     }
 
     /// Rotates and mirrors it by the orientation of a camera.
-    pub(super) fn oriented(mut self, orientation: Orientation) -> Self {
+    pub(crate) fn oriented(mut self, orientation: Orientation) -> Self {
         if orientation.transpose {
             self.ink = transposed(&self.ink, self.width);
             (self.width, self.height) = (self.height, self.width);
@@ -80,7 +80,7 @@ impl Tone {
         self
     }
 
-    pub(super) fn map(&self, tone: impl Fn(f32) -> f32) -> Self {
+    pub(crate) fn map(&self, tone: impl Fn(f32) -> f32) -> Self {
         Self {
             ink: self.ink.iter().map(|&ink| tone(ink)).collect(),
             ..*self
@@ -89,7 +89,7 @@ impl Tone {
 }
 
 #[expect(clippy::cast_precision_loss, reason = "at most some millions")]
-pub(super) const fn count(n: usize) -> f64 {
+pub(crate) const fn count(n: usize) -> f64 {
     n as f64
 }
 
@@ -99,7 +99,7 @@ pub(super) const fn count(n: usize) -> f64 {
     clippy::cast_sign_loss,
     reason = "saturates, and is then cut to the grid"
 )]
-pub(super) fn cell(place: f64, cells: usize) -> usize {
+pub(crate) fn cell(place: f64, cells: usize) -> usize {
     (place as usize).min(cells - 1)
 }
 
@@ -159,7 +159,7 @@ fn bell(sigma: f64) -> Vec<f32> {
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a tone needs no more")]
-pub(super) const fn as_ink(value: f64) -> f32 {
+pub(crate) const fn as_ink(value: f64) -> f32 {
     value as f32
 }
 

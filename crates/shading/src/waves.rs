@@ -2,16 +2,16 @@
 
 use dobot_geometry::{CancelToken, Point, Stroke};
 
-use super::rows::{Rows, strokes};
-use super::shading::Shading;
-use super::tone::Tone;
+use crate::rows::{Rows, strokes};
+use crate::shading::Shading;
+use crate::tone::Tone;
 
 /// Draws a page with parallel lines, back and forth, each swinging from side to side.
 ///
 /// Each swing is one vector, because the arm's link is slow: the wave is a zigzag. In light areas
 /// the lines are straight, in lighter ones every other line is left out, in white ones all are.
 /// `spacing_mm` is on the page.
-pub(super) fn waves(
+pub(crate) fn waves(
     tone: &Tone,
     shading: &Shading,
     spacing_mm: f64,
@@ -102,26 +102,26 @@ impl<'a> Wave<'a> {
 }
 
 /// The fraction of the full swing for a tone; the straight line alone is as dark as [`PLAIN`].
-pub(super) fn strength(ink: f64) -> f64 {
+pub(crate) fn strength(ink: f64) -> f64 {
     ((ink - PLAIN) / (1.0 - PLAIN)).clamp(0.0, 1.0)
 }
 
 /// The smoothing radius of tones, in spacings.
-pub(super) const SOFTNESS: f64 = 0.25;
+pub(crate) const SOFTNESS: f64 = 0.25;
 /// The widest swing to one side, in spacings: neighbours nearly touch.
-pub(super) const WIDEST: f64 = 0.48;
+pub(crate) const WIDEST: f64 = 0.48;
 /// The distance between turns in light areas, in spacings.
-pub(super) const SLOWEST: f64 = 0.5;
+pub(crate) const SLOWEST: f64 = 0.5;
 /// The distance between turns in black areas, in spacings.
-pub(super) const FASTEST: f64 = 0.26;
+pub(crate) const FASTEST: f64 = 0.26;
 /// The tone of straight lines.
 const PLAIN: f64 = 0.25;
 /// The tone from which every other line is drawn.
-pub(super) const FAINT: f64 = 0.06;
+pub(crate) const FAINT: f64 = 0.06;
 /// The tone from which every line is drawn.
 const LIGHT: f64 = 0.18;
-pub(super) const GO_ON: f64 = 0.75;
+pub(crate) const GO_ON: f64 = 0.75;
 /// The shortest piece, in spacings.
-pub(super) const SHORTEST: f64 = 1.0;
+pub(crate) const SHORTEST: f64 = 1.0;
 /// The largest gap between lines over which the pen stays down, in spacings.
 const REACH: f64 = 1.7;

@@ -2,15 +2,15 @@
 
 use dobot_geometry::CancelToken;
 
-use super::shading::{Shading, ShadingStyle};
-use super::tone::{Tone, as_ink, count};
+use crate::shading::{Shading, ShadingStyle};
+use crate::tone::{Tone, as_ink, count};
 
 /// Stretches the tones to the full range, sharpens local contrast, balances the middle tones, and
 /// inverts on request.
 ///
 /// Dull photos become rich; dark and light ones move half the way to a medium tone; black and white
 /// stay. `spacing_mm` is on the page.
-pub(super) fn levelled(
+pub(crate) fn levelled(
     tone: &Tone,
     shading: &Shading,
     spacing_mm: f64,
@@ -82,13 +82,13 @@ fn balance(tone: &Tone) -> f64 {
 }
 
 /// The histogram of tones.
-pub(super) struct Histogram {
-    pub(super) bins: [usize; BINS],
+pub(crate) struct Histogram {
+    pub(crate) bins: [usize; BINS],
     total: usize,
 }
 
 impl Histogram {
-    pub(super) fn of(tone: &Tone) -> Self {
+    pub(crate) fn of(tone: &Tone) -> Self {
         let mut bins = [0; BINS];
         for &ink in &tone.ink {
             let place = f64::from(ink) * count(BINS - 1) + 0.5;
@@ -112,13 +112,13 @@ impl Histogram {
     }
 
     /// The tone of a bin.
-    pub(super) fn tone(bin: usize) -> f64 {
+    pub(crate) fn tone(bin: usize) -> f64 {
         count(bin) / count(BINS - 1)
     }
 
     /// The borders between at most `levels` + 1 representative tones of the picture (k-means of its
     /// cells). A tone between others that hardly any cell has does not count.
-    pub(super) fn thresholds(&self, levels: u8) -> Vec<f64> {
+    pub(crate) fn thresholds(&self, levels: u8) -> Vec<f64> {
         let tones = usize::from(levels) + 1;
         let mut means: Vec<f64> = (0..tones)
             .map(|i| self.below((count(i) + 0.5) / count(tones)))

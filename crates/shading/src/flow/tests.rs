@@ -3,7 +3,7 @@ use std::f64::consts::TAU;
 use dobot_geometry::steps;
 
 use super::*;
-use crate::picture::shading::ShadingStyle;
+use crate::shading::ShadingStyle;
 
 /// A page of 120 mm by 60 mm, of this darkness.
 fn page(ink: impl Fn(Point) -> f64) -> Tone {

@@ -2,11 +2,11 @@
 
 use dobot_geometry::CancelToken;
 
-use super::tone::Tone;
+use crate::tone::Tone;
 
 /// Smooths each tone with its neighbours, less the more they differ (Perona-Malik diffusion): grain
 /// and gentle gradients become smooth while edges stay.
-pub(super) fn smoothed(tone: &Tone, cancel: &CancelToken) -> Tone {
+pub(crate) fn smoothed(tone: &Tone, cancel: &CancelToken) -> Tone {
     let mut smooth = tone.clone();
     let mut before = Vec::with_capacity(tone.ink.len());
     for _ in 0..ROUNDS {
@@ -58,7 +58,7 @@ const EDGE: f32 = 0.06;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::picture::tone::as_ink;
+    use crate::tone::as_ink;
     use dobot_geometry::Point;
 
     #[test]

@@ -2,18 +2,18 @@
 
 use dobot_geometry::{CancelToken, Point, Stroke, Vec2};
 
-use super::contour::contours;
-use super::levels::Histogram;
-use super::shading::Shading;
-use super::smooth::smoothed;
-use super::tone::{Tone, count};
+use crate::contour::contours;
+use crate::levels::Histogram;
+use crate::shading::Shading;
+use crate::smooth::smoothed;
+use crate::tone::{Tone, count};
 
 /// Draws the borders between the tones of a page as smooth lines, closed unless they end at the
 /// page's border.
 ///
 /// Grain finer than `spacing_mm` (on the page) is smoothed, and smaller areas are left out. So are
 /// borders along a gentle gradient, such as a darkening sky, unless a threshold is set.
-pub(super) fn outlines(
+pub(crate) fn outlines(
     tone: &Tone,
     shading: &Shading,
     spacing_mm: f64,

@@ -2,8 +2,8 @@
 
 use dobot_geometry::{CancelToken, Point, Random, Stroke, Vec2};
 
-use super::shading::Shading;
-use super::tone::Tone;
+use crate::shading::Shading;
+use crate::tone::Tone;
 
 /// Scatters dots over a page: in black areas about `spacing_mm` (on the page) apart, in lighter
 /// ones fewer in proportion, without clumps or rows.
@@ -11,7 +11,7 @@ use super::tone::Tone;
 /// Error diffusion sets as many dots as the tone needs; then each dot moves to the centroid of its
 /// nearest ink, a few times (Lloyd's method). The ink is squared there, because otherwise the
 /// density would converge to the root of the ink.
-pub(super) fn stippled(
+pub(crate) fn stippled(
     tone: &Tone,
     shading: &Shading,
     spacing_mm: f64,

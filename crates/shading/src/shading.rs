@@ -2,10 +2,19 @@
 
 use std::str::FromStr;
 
+use dobot_geometry::{CancelToken, Cancelled, Point, Stroke};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
-use crate::error::ImageError;
+use crate::flow::flowing;
+use crate::hatch::hatched;
+use crate::outline::outlines;
+use crate::picture::GreyPicture;
+use crate::spiral::spiral;
+use crate::stipple::stippled;
+use crate::tone::count;
+use crate::waves::waves;
 
 /// The conversion of the tones of a picture to lines or dots.
 ///
@@ -72,9 +81,14 @@ impl Shading {
         }
     }
 
-    pub(super) fn check(&self) -> Result<(), ImageError> {
+    /// Checks that the settings are in range.
+    ///
+    /// # Errors
+    ///
+    /// [`ShadingError::Setting`] names the first setting that is not.
+    pub fn check(&self) -> Result<(), ShadingError> {
         let in_range = |setting, found: f64, allowed, fine: bool| {
-            let wrong = ImageError::Setting {
+            let wrong = ShadingError::Setting {
                 setting,
                 found,
                 allowed,
@@ -99,6 +113,54 @@ impl Shading {
         let threshold = self.threshold.unwrap_or(0.5);
         let fine = threshold > 0.0 && threshold < 1.0;
         in_range("threshold", threshold, "between 0 and 1", fine)
+    }
+    /// Checks that the spacing suits a page, in millimetres, drawn at a scale.
+    ///
+    /// # Errors
+    ///
+    /// [`ShadingError::TooFine`] if drawing would take days.
+    pub fn check_size(&self, page: Point, scale: f64) -> Result<(), ShadingError> {
+        let spacing_mm = self.spacing_mm;
+        let [width_mm, height_mm] = [page.x, page.y].map(|mm| mm * scale);
+        let least_mm = (width_mm * height_mm / MAX_SPACINGS)
+            .sqrt()
+            .max(width_mm.max(height_mm) * CELLS / count(MAX_CELLS));
+        if spacing_mm >= least_mm {
+            return Ok(());
+        }
+        Err(ShadingError::TooFine {
+            spacing_mm,
+            least_mm,
+            width_mm,
+            height_mm,
+        })
+    }
+
+    /// Returns the lines or dots of a picture that is drawn at a scale, in millimetres of its
+    /// upright page; none if there is no ink. The spacing applies on the paper.
+    ///
+    /// # Errors
+    ///
+    /// [`Cancelled`] if it was cancelled.
+    pub fn strokes(
+        &self,
+        picture: &GreyPicture<'_>,
+        scale: f64,
+        cancel: &CancelToken,
+    ) -> Result<Vec<Stroke>, Cancelled> {
+        let spacing_mm = self.spacing_mm / scale;
+        let tone = &picture.toned(self, spacing_mm, cancel)?;
+        let strokes = match self.style {
+            ShadingStyle::Outline => outlines(tone, self, spacing_mm, cancel),
+            ShadingStyle::Lines => waves(tone, self, spacing_mm, cancel),
+            ShadingStyle::Spiral => spiral(tone, spacing_mm, cancel),
+            ShadingStyle::Flow => flowing(tone, self, spacing_mm, cancel),
+            ShadingStyle::Stipple | ShadingStyle::Tsp => stippled(tone, self, spacing_mm, cancel),
+            ShadingStyle::Hatch => hatched(tone, self, spacing_mm, cancel),
+        };
+        // What a cancelled step returned is not a drawing.
+        cancel.check()?;
+        Ok(strokes)
     }
 }
 
@@ -145,3 +207,40 @@ impl FromStr for ShadingStyle {
         }
     }
 }
+
+/// The error returned when a picture cannot be drawn with some settings.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ShadingError {
+    /// A setting is out of range.
+    #[error("the {setting} of the shading is {found}; allowed is {allowed}")]
+    Setting {
+        /// The setting.
+        setting: &'static str,
+        /// Its value.
+        found: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// The lines are too close for the size of the picture; drawing it would take days.
+    #[error(
+        "a spacing of {spacing_mm} mm is too fine for a picture of {width_mm:.0} x {height_mm:.0} mm on the paper; allowed are {least_mm:.2} mm or more; use a wider spacing or a smaller picture"
+    )]
+    TooFine {
+        /// The spacing, on the paper.
+        spacing_mm: f64,
+        /// The smallest spacing for this size.
+        least_mm: f64,
+        /// The width of the picture on the paper.
+        width_mm: f64,
+        /// The height of the picture on the paper.
+        height_mm: f64,
+    },
+}
+
+/// Grid cells per spacing.
+pub(crate) const CELLS: f64 = 4.0;
+/// The largest number of cells along a side of the page.
+pub(crate) const MAX_CELLS: usize = 100_000;
+/// The largest number of square spacings on a page: 8 million cells.
+const MAX_SPACINGS: f64 = 500_000.0;

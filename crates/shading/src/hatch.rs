@@ -2,16 +2,16 @@
 
 use dobot_geometry::{CancelToken, Point, Stroke, steps};
 
-use super::rows::{Rows, strokes};
-use super::shading::Shading;
-use super::smooth::smoothed;
-use super::tone::{Tone, count};
+use crate::rows::{Rows, strokes};
+use crate::shading::Shading;
+use crate::smooth::smoothed;
+use crate::tone::{Tone, count};
 
 /// Hatches a page. Each level adds a direction, at first with every other line only.
 ///
 /// The lines of a direction are on one grid for the whole page, so that levels match. `spacing_mm`
 /// is on the page. Pieces and gaps shorter than about a spacing are omitted.
-pub(super) fn hatched(
+pub(crate) fn hatched(
     tone: &Tone,
     shading: &Shading,
     spacing_mm: f64,

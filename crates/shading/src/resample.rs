@@ -2,13 +2,13 @@
 
 use dobot_geometry::Point;
 
-use super::tone::{Tone, as_ink, cell, count};
+use crate::tone::{Tone, as_ink, cell, count};
 
 /// Resamples grey pixels (255 is white) to a grid of `width` by `height` tones over a page.
 ///
 /// A cell that covers several pixels gets their mean; a cell smaller than a pixel is interpolated
 /// between the nearest two.
-pub(super) fn resample(grey: &[u8], stored: [usize; 2], grid: [usize; 2], page: Point) -> Tone {
+pub(crate) fn resample(grey: &[u8], stored: [usize; 2], grid: [usize; 2], page: Point) -> Tone {
     let [width, height] = grid;
     let columns = shares(stored[0], width);
     let mut narrow = Vec::with_capacity(width * stored[1]);

@@ -2,15 +2,15 @@
 
 use dobot_geometry::{CancelToken, CubicBez, ParamCurve, Point, Random, Stroke, Vec2};
 
-use super::shading::Shading;
-use super::tone::{Tone, as_ink, cell, count};
+use crate::shading::Shading;
+use crate::tone::{Tone, as_ink, cell, count};
 
 /// Draws a page with lines along its edges: across the gradient of the tone. In black areas they
 /// are `spacing_mm` (on the page) apart, in lighter ones farther in proportion; white stays empty.
 ///
 /// Each line starts at a free place, and continues in both directions until it comes too near to
 /// another line or to itself (evenly spaced streamlines). One that returns to its start is closed.
-pub(super) fn flowing(
+pub(crate) fn flowing(
     tone: &Tone,
     shading: &Shading,
     spacing_mm: f64,

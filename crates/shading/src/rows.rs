@@ -4,30 +4,30 @@ use dobot_geometry::{Point, Stroke, Vec2};
 
 /// Parallel lines over a page, from one border to another.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Rows {
+pub(crate) struct Rows {
     /// The page's width and height.
-    pub(super) page: Point,
+    pub(crate) page: Point,
     /// The empty margin along the borders.
-    pub(super) margin_mm: f64,
-    pub(super) spacing_mm: f64,
+    pub(crate) margin_mm: f64,
+    pub(crate) spacing_mm: f64,
     /// The angle, counterclockwise from the horizontal, as displayed.
-    pub(super) angle_deg: f64,
+    pub(crate) angle_deg: f64,
 }
 
 impl Rows {
     /// The direction of the lines.
-    pub(super) fn along(&self) -> Vec2 {
+    pub(crate) fn along(&self) -> Vec2 {
         let (sin, cos) = self.angle_deg.to_radians().sin_cos();
         Vec2::new(cos, -sin)
     }
 
     /// The direction from one line to the next.
-    pub(super) fn across(&self) -> Vec2 {
+    pub(crate) fn across(&self) -> Vec2 {
         self.along().turn_90()
     }
 
     /// Both ends of each line; the lines are centered on the page.
-    pub(super) fn lines(&self) -> Vec<[Point; 2]> {
+    pub(crate) fn lines(&self) -> Vec<[Point; 2]> {
         let middle = self.page.to_vec2() * 0.5;
         let half = middle.length();
         let room = self.page.to_vec2() - Vec2::splat(self.margin_mm) * 2.0;
@@ -66,7 +66,7 @@ impl Rows {
 }
 
 /// The pieces of lines as strokes: separate, or joined back and forth.
-pub(super) fn strokes(lines: Vec<Vec<Vec<Point>>>, reach_mm: f64, apart: bool) -> Vec<Stroke> {
+pub(crate) fn strokes(lines: Vec<Vec<Vec<Point>>>, reach_mm: f64, apart: bool) -> Vec<Stroke> {
     if apart {
         lines.into_iter().flatten().map(Stroke::open).collect()
     } else {

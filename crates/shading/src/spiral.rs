@@ -4,14 +4,14 @@ use std::f64::consts::TAU;
 
 use dobot_geometry::{CancelToken, Point, Stroke, Vec2};
 
-use super::tone::Tone;
-use super::waves::{FAINT, FASTEST, GO_ON, SHORTEST, SLOWEST, SOFTNESS, WIDEST, strength};
+use crate::tone::Tone;
+use crate::waves::{FAINT, FASTEST, GO_ON, SHORTEST, SLOWEST, SOFTNESS, WIDEST, strength};
 
 /// Draws a page with a spiral whose turns are `spacing_mm` (on the page) apart, from the center to
 /// the corners. In white areas and beyond the page, the pen is lifted.
 ///
 /// Each swing is one vector, because the arm's link is slow: the wave is a zigzag.
-pub(super) fn spiral(tone: &Tone, spacing_mm: f64, cancel: &CancelToken) -> Vec<Stroke> {
+pub(crate) fn spiral(tone: &Tone, spacing_mm: f64, cancel: &CancelToken) -> Vec<Stroke> {
     let tone = tone.blurred(SOFTNESS * spacing_mm, cancel);
     let page = tone.page();
     let middle = page.to_vec2() * 0.5;

@@ -2,7 +2,7 @@
 
 use dobot_geometry::{Point, Stroke};
 
-use super::tone::Tone;
+use crate::tone::Tone;
 
 /// Returns the lines along which the tone is `threshold`, with the darker side always on the same
 /// hand.
@@ -16,7 +16,7 @@ use super::tone::Tone;
 ///     |       \      |        and the entry of the next
 ///   dark ------x-- light
 /// ```
-pub(super) fn contours(tone: &Tone, threshold: f64) -> Vec<Stroke> {
+pub(crate) fn contours(tone: &Tone, threshold: f64) -> Vec<Stroke> {
     if tone.width < 2 || tone.height < 2 {
         return Vec::new();
     }
@@ -154,14 +154,10 @@ mod tests {
     fn a_cone_has_round_level_lines() {
         let middle = Point::new(20.3, 19.8);
         let radius = |x: usize, y: usize| {
-            let at = Point::new(
-                crate::picture::tone::count(x),
-                crate::picture::tone::count(y),
-            );
+            let at = Point::new(crate::tone::count(x), crate::tone::count(y));
             (at + Vec2::new(0.5, 0.5)).distance(middle)
         };
-        let ink =
-            (0..1600).map(|i| crate::picture::tone::as_ink(1.0 - radius(i % 40, i / 40) / 20.0));
+        let ink = (0..1600).map(|i| crate::tone::as_ink(1.0 - radius(i % 40, i / 40) / 20.0));
         let lines = contours(&tone(40, ink.collect()), 0.5);
         assert_eq!(lines.len(), 1);
         assert!(lines[0].closed);
