@@ -78,12 +78,12 @@ impl BoxTree {
             *limit2 = visit(node.items.clone());
             return;
         }
-        let mut children =
-            [id + 1, node.right].map(|child| (distance2(self.node(child).bounds, p), child));
-        if children[1].0 < children[0].0 {
-            children.swap(0, 1);
+        let child = |id| (distance2(self.node(id).bounds, p), id);
+        let (mut near, mut far) = (child(id + 1), child(node.right));
+        if far.0 < near.0 {
+            std::mem::swap(&mut near, &mut far);
         }
-        for (distance2, child) in children {
+        for (distance2, child) in [near, far] {
             if distance2 < *limit2 && is_sought(child, self.node(child).bounds) {
                 self.around_in(child, p, limit2, is_sought, visit);
             }

@@ -89,7 +89,7 @@ impl Net {
         let mut known = HashMap::with_capacity(at.len());
         let mut node = Vec::with_capacity(at.len());
         let place = (0..).zip(at).map(|(this, p)| {
-            let bits = [p.x, p.y].map(f64::to_bits);
+            let bits = [p.x.to_bits(), p.y.to_bits()];
             *known.entry(bits).or_insert_with(|| {
                 node.push(this);
                 index(node.len() - 1)

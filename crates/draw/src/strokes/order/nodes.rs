@@ -101,12 +101,11 @@ impl Nodes {
     }
 
     /// Returns the least cost of the ways from any of these nodes to any of the others: that of the shortest.
+    #[inline]
     pub(super) fn least_cost(&self, from: [u32; 2], to: [u32; 2]) -> f64 {
         let length2 = |a: u32, b: u32| (self.at[b as usize] - self.at[a as usize]).hypot2();
-        let shortest2 = from
-            .map(|a| length2(a, to[0]).min(length2(a, to[1])))
-            .into_iter()
-            .fold(f64::INFINITY, f64::min);
+        let shortest2 = |a: u32| length2(a, to[0]).min(length2(a, to[1]));
+        let shortest2 = shortest2(from[0]).min(shortest2(from[1]));
         rounded_cost(self.fare, shortest2).into()
     }
 

@@ -231,8 +231,12 @@ impl<'a> Row<'a> {
                 self.nodes.mate(node)
             }
         };
-        [last, mate(last)]
-            .map(|last| [first, mate(first)].map(|first| self.nodes.cost(last, first)))
+        let (last_mate, first_mate) = (mate(last), mate(first));
+        let cost = |last, first| self.nodes.cost(last, first);
+        [
+            [cost(last, first), cost(last, first_mate)],
+            [cost(last_mate, first), cost(last_mate, first_mate)],
+        ]
     }
 
     /// Returns the costs through a part.
@@ -306,8 +310,8 @@ impl<'a> Row<'a> {
             for part in from..=to {
                 // The start of the second half of the part.
                 let middle = (2 * part + 1) * half - leaves;
-                let halves = [2 * part, 2 * part + 1].map(|half| &self.parts[half]);
-                self.parts[part] = through(halves[0], &self.gaps[middle], halves[1]);
+                let (first, second) = (&self.parts[2 * part], &self.parts[2 * part + 1]);
+                self.parts[part] = through(first, &self.gaps[middle], second);
             }
             half *= 2;
         }
@@ -321,13 +325,14 @@ impl<'a> Row<'a> {
         let mut reached = self.reached[place - 1];
         while place < self.len() {
             let gap = &self.gaps[place];
-            let found = [0, 1].map(|turned| {
+            let best = |turned| {
                 let (a, b) = (reached[0] + gap[0][turned], reached[1] + gap[1][turned]);
                 if b < a { (b, 1) } else { (a, 0) }
-            });
-            let least = smaller(found[0].0, found[1].0);
-            reached = found.map(|found| found.0 - least);
-            let before = found.map(|found| found.1);
+            };
+            let ((upright, before_upright), (turned, before_turned)) = (best(0), best(1));
+            let least = smaller(upright, turned);
+            reached = [upright - least, turned - least];
+            let before = [before_upright, before_turned];
             let is_same = place > to && reached == self.reached[place];
             self.before[place] = before;
             if is_same {
@@ -369,7 +374,12 @@ fn through(a: &Ways, gap: &Ways, b: &Ways) -> Ways {
 
 #[inline]
 fn times(a: &Ways, b: &Ways) -> Ways {
-    a.map(|a| [0, 1].map(|turned| smaller(a[0] + b[0][turned], a[1] + b[1][turned])))
+    let least = |a: &[f64; 2], turned| smaller(a[0] + b[0][turned], a[1] + b[1][turned]);
+    let [upright, turned] = a;
+    [
+        [least(upright, 0), least(upright, 1)],
+        [least(turned, 0), least(turned, 1)],
+    ]
 }
 
 #[inline]

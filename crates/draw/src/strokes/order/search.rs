@@ -129,7 +129,9 @@ impl<'a> LocalSearch<'a> {
             return 0.0;
         };
         let mut gain = 0.0;
-        let ends = places.map(|place| [self.tour.at(place), self.after(place)]);
+        let [first, second, third, fourth] = places;
+        let ends = |place| [self.tour.at(place), self.after(place)];
+        let ends = [ends(first), ends(second), ends(third), ends(fourth)];
         for [a, b] in ends {
             gain += self.nodes.cost(a, b);
         }
@@ -170,8 +172,9 @@ impl<'a> LocalSearch<'a> {
         let size = self.tour.len();
         let window = WINDOW.min(size);
         let first = random.below(size - window + 1);
-        let mut places = [0; 4].map(|_: u32| first + random.below(window));
+        let mut places = [first; 4];
         for place in &mut places {
+            *place += random.below(window);
             if self
                 .nodes
                 .is_stroke(self.tour.at(*place), self.after(*place))

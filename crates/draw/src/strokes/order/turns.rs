@@ -83,11 +83,12 @@ impl<'a> Turns<'a> {
 
     /// Rearranges the parts between four places, each in a random direction.
     fn kick(&mut self, [a, b, c, d]: [usize; 4], random: &mut Random) {
-        let mut parts = [(a, b), (b, c), (c, d)].map(|(from, to)| Part {
+        let mut part = |from, to| Part {
             from,
             to,
             is_backward: random.below(2) == 0,
-        });
+        };
+        let mut parts = [part(a, b), part(b, c), part(c, d)];
         match random.below(3) {
             0 => parts.swap(0, 2),
             1 => parts.swap(0, 1),
@@ -182,9 +183,9 @@ impl<'a> Turns<'a> {
 
     /// Moves strokes that begin or end with that of a node next to another one.
     fn shift(&mut self, node: u32, here: usize) -> bool {
-        let [outside, beyond] = [here, here + 1].map(|place| self.row.way(place));
-        let [is_outside, is_beyond] =
-            [outside, beyond].map(|way| self.nearer(node, way).next().is_some());
+        let (outside, beyond) = (self.row.way(here), self.row.way(here + 1));
+        let has_nearer = |way| self.nearer(node, way).next().is_some();
+        let (is_outside, is_beyond) = (has_nearer(outside), has_nearer(beyond));
         is_outside && self.shift_any(node, here, outside, self.ends_after(here))
             || is_beyond && self.shift_any(node, here, beyond, self.begins_before(here))
     }

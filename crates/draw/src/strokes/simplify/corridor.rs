@@ -129,7 +129,7 @@ impl<'a> Corridor<'a> {
         let sides = [(unit, 0.0, length), (across, -radius, radius)];
         for (axis, low, high) in sides {
             let (here, speed) = ((from - a).dot(axis), along.dot(axis));
-            let [one, other] = [low, high].map(|side| (side - here) / speed);
+            let (one, other) = ((low - here) / speed, (high - here) / speed);
             if speed.abs() > HAIR {
                 enter = enter.max(one.min(other));
                 leave = leave.min(one.max(other));

@@ -83,7 +83,7 @@ impl<'a> PlannedPath<'a> {
     fn at(&self, t_s: f64) -> Point {
         let after = self.times_s.partition_point(|corner_s| *corner_s <= t_s);
         let after = after.clamp(1, self.corners.len() - 1);
-        let [from_s, to_s] = [after - 1, after].map(|i| self.times_s[i]);
+        let (from_s, to_s) = (self.times_s[after - 1], self.times_s[after]);
         let share = ((t_s - from_s) / (to_s - from_s)).clamp(0.0, 1.0);
         self.corners[after - 1]
             .at
@@ -96,9 +96,9 @@ impl<'a> PlannedPath<'a> {
             .covered_mm
             .partition_point(|corner_mm| *corner_mm <= covered_mm);
         let after = after.clamp(1, self.corners.len() - 1);
-        let [from_mm, to_mm] = [after - 1, after].map(|i| self.covered_mm[i]);
+        let (from_mm, to_mm) = (self.covered_mm[after - 1], self.covered_mm[after]);
         let share = (covered_mm - from_mm) / (to_mm - from_mm).max(f64::MIN_POSITIVE);
-        let [from_s, to_s] = [after - 1, after].map(|i| self.times_s[i]);
+        let (from_s, to_s) = (self.times_s[after - 1], self.times_s[after]);
         from_s + share.clamp(0.0, 1.0) * (to_s - from_s)
     }
 
@@ -262,7 +262,7 @@ impl Paths<'_> {
     /// Returns the duration of the vector from one path to another, including the cost of the
     /// switch; only a part of it if that is far more than `sooner_s` already.
     fn took_s(&self, from: Node, to: Node, sooner_s: f64) -> f64 {
-        let [own, other] = [from, to].map(|node| &self.all[node.path]);
+        let (own, other) = (&self.all[from.path], &self.all[to.path]);
         let (begin_s, end_s) = (own.times_s[from.corner], other.times_s[to.corner]);
         let beside_s = other.time_s(from.covered_mm);
         // Both paths cover this part of the stroke; use the mean of their durations.
@@ -276,7 +276,7 @@ impl Paths<'_> {
         let (has, wanted) = (own.speed_mm_s(begin_s), other.speed_mm_s(beside_s));
         // Changing from the speed of one path to that of the other takes time too.
         let unlike_s = (has - wanted).powi(2) / (2.0 * a * has.max(wanted).max(1.0));
-        let [from_at, to_at] = [from, to].map(|node| self.corner(node).at);
+        let (from_at, to_at) = (self.corner(from).at, self.corner(to).at);
         let at = |t_s: f64| {
             if t_s <= 0.0 {
                 own.at(begin_s + t_s)
@@ -288,7 +288,7 @@ impl Paths<'_> {
         };
         let window_s = self.estimator.cornering.window_s;
         let too_sharp_s = |t_s: f64| {
-            let [before, now, after] = [t_s - window_s, t_s, t_s + window_s].map(at);
+            let (before, now, after) = (at(t_s - window_s), at(t_s), at(t_s + window_s));
             let seen = ((after - now) - (now - before)).length() / seen_mm(self.estimator);
             TOO_SHARP_S * (seen - 1.0).max(0.0).powi(2)
         };

@@ -76,7 +76,7 @@ impl<'a> Course<'a> {
         if tick >= last {
             return self.covered_mm[last];
         }
-        let [from, to] = [tick, tick + 1].map(|i| self.covered_mm[i]);
+        let (from, to) = (self.covered_mm[tick], self.covered_mm[tick + 1]);
         from + (to - from) * ticks.fract()
     }
 
@@ -242,7 +242,7 @@ impl<'a> CornerPlaces<'a> {
     fn add_tick(&mut self, tick: TickPlace) {
         let corridor = self.corridor;
         let next = (tick.passed + 1).min(corridor.points.len() - 1);
-        let [from, to] = [tick.passed, next].map(|i| corridor.points[i]);
+        let (from, to) = (corridor.points[tick.passed], corridor.points[next]);
         let way = to - from;
         let share = (tick.on_path - from).dot(way) / way.hypot2().max(f64::MIN_POSITIVE);
         let at = from + way * share.clamp(0.0, 1.0);

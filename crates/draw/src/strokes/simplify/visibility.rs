@@ -83,6 +83,7 @@ impl<'a> Visibility<'a> {
     }
 
     /// Whether the vector to `at`, within the tolerance of point `i`, passes all points before it.
+    #[inline]
     pub(super) fn reaches(&mut self, at: Point, i: usize) -> bool {
         let way = at - self.from.at;
         let length2 = way.hypot2();
