@@ -5,7 +5,7 @@ mod lines;
 mod page;
 mod words;
 
-use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::tiny_skia::{Color, Pixmap, Transform};
 use thiserror::Error;
 
 pub use self::colors::Colors;
@@ -109,14 +109,14 @@ impl Picture<'_> {
         let height_px = (tree.size().height() * scale).ceil() as u32;
         let mut pixmap =
             Pixmap::new(width_px, height_px).ok_or_else(|| render("out of memory".to_owned()))?;
+        // The last row may be covered in part.
+        pixmap.fill(Color::WHITE);
         resvg::render(
             &tree,
             Transform::from_scale(scale, scale),
             &mut pixmap.as_mut(),
         );
-        pixmap
-            .encode_png()
-            .map_err(|error| render(error.to_string()))
+        encoded(&pixmap).map_err(|error| render(error.to_string()))
     }
 
     /// Returns the sheet or the area, on the picture.
@@ -176,6 +176,23 @@ impl Picture<'_> {
 /// Returns the text size, which grows with the paper.
 fn unit(paper: Rect) -> f64 {
     paper.width() / 230.0
+}
+
+/// Returns a PNG file of an opaque picture. Filters suit photos: flat colours are packed faster and
+/// smaller without.
+fn encoded(pixmap: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, pixmap.width(), pixmap.height());
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_filter(png::Filter::NoFilter);
+    let pixels = pixmap.pixels().iter();
+    let bytes: Vec<u8> = pixels
+        .flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()])
+        .collect();
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&bytes)?;
+    writer.finish()?;
+    Ok(file)
 }
 
 /// The minimum and maximum reach of a stock arm's tool from the base axis.
@@ -253,6 +270,8 @@ mod tests {
         };
         assert!(at(230.0, 50.0).red() < 120);
         assert!(at(230.0, 40.0).red() > 240);
+        let last = image.pixel(0, image.height() - 1).unwrap();
+        assert!(last.red() > 200 && last.alpha() == 255, "{last:?}");
     }
 
     #[test]
