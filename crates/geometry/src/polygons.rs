@@ -16,7 +16,7 @@ pub struct Polygons(Vec<Vec<Vec<[f64; 2]>>>);
 
 impl Polygons {
     /// Creates polygons from closed rings, whose last point connects to the first; `None` if they
-    /// cross so often that it would take too much time and memory.
+    /// cross too often: it would take too much time and memory.
     #[must_use]
     pub fn new(rings: &[Vec<Point>], rule: FillRule) -> Option<Self> {
         if is_entangled(rings) {
