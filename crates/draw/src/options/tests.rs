@@ -135,11 +135,21 @@ fn a_text_below_a_drawing_keeps_its_requested_height_however_the_drawing_is_scal
     let json = r#"{"what": {"text": "HH"}, "place": {"scale": 0.5}}"#;
     let letters = letters(&prepare(json, &[(60, 20)]).unwrap(), 7.0);
     assert!((letters.width() - 5.0).abs() < 0.05, "{letters:?}");
-    let json = r#"{"what": {"text": "HHHHHHHHHHHH", "height": 90}, "place": {"fit": true}}"#;
-    let message = prepare(json, &[(60, 20)]).unwrap_err().to_string();
+    let message = |text: &str| {
+        let json =
+            format!(r#"{{"what": {{"text": "{text}", "height": 90}}, "place": {{"fit": true}}}}"#);
+        prepare(&json, &[(60, 20)]).unwrap_err().to_string()
+    };
+    let word = message("HHHHHHHHHHHH");
     assert!(
-        message.starts_with("the text does not fit in letters of 90 mm"),
-        "{message}"
+        word.starts_with("the text does not fit in letters of 90 mm"),
+        "{word}"
+    );
+    assert!(word.ends_with("mm high; make it shorter"), "{word}");
+    let words = message("HHHHHH HHHHHH");
+    assert!(
+        words.ends_with("mm high; wrap it with what.wrap, or make it shorter"),
+        "{words}"
     );
 }
 

@@ -143,6 +143,7 @@ fn too_large(readings: &mut [Reading], settings: &Settings) -> Result<PlaceError
         ..settings.placement
     };
     let mut found = [0.0, f64::INFINITY];
+    let mut can_wrap = false;
     for reading in readings {
         if let Source::Text(text) = &reading.source.source {
             let mut scale = 1.0;
@@ -157,6 +158,7 @@ fn too_large(readings: &mut [Reading], settings: &Settings) -> Result<PlaceError
                 }
             }
             found = [text.height_mm, found[1].min(scale * text.height_mm)];
+            can_wrap |= text.wrap.is_none() && text.text.lines().any(has_words);
         }
     }
     let [height_mm, most_mm] = found;
@@ -164,7 +166,13 @@ fn too_large(readings: &mut [Reading], settings: &Settings) -> Result<PlaceError
         height_mm,
         // Rounded down, so that it fits.
         most_mm: (100.0 * most_mm).floor() / 100.0,
+        can_wrap,
     })
+}
+
+/// Whether a line has more than one word.
+fn has_words(line: &str) -> bool {
+    line.split_whitespace().nth(1).is_some()
 }
 
 /// The last reading of a source.

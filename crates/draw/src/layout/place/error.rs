@@ -52,13 +52,16 @@ pub enum PlaceError {
     },
     /// A text does not fit with the height of its letters.
     #[error(
-        "the text does not fit in letters of {height_mm} mm; they may be {most_mm:.2} mm high; wrap it with what.wrap, or make it shorter"
+        "the text does not fit in letters of {height_mm} mm; they may be {most_mm:.2} mm high; {}make it shorter",
+        if *can_wrap { "wrap it with what.wrap, or " } else { "" }
     )]
     TextTooLarge {
         /// The requested height of capitals.
         height_mm: f64,
         /// The height that fits.
         most_mm: f64,
+        /// Whether lines can be wrapped between words.
+        can_wrap: bool,
     },
     /// There are more files than cells in the grid.
     #[error(
