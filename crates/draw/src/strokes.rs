@@ -12,12 +12,12 @@ pub(crate) mod simplify;
 pub(crate) mod shapes {
     use dobot_geometry::Point;
 
-    /// A ring of 8000 corners whose edges cross each other millions of times.
+    /// A ring of 1000 corners whose edges cross each other half a million times.
     pub(crate) fn tangle() -> Vec<Point> {
-        let corner = |i| match (i % 2, f64::from(i) * 0.01) {
+        let corner = |i| match (i % 2, f64::from(i) * 0.08) {
             (0, y) => Point::new(0.0, y),
             (_, y) => Point::new(90.0, 80.0 - y),
         };
-        (0..8000).map(corner).collect()
+        (0..1000).map(corner).collect()
     }
 }

@@ -13,7 +13,7 @@ use crate::layout::place::PlaceError;
 use crate::preparation::progress::PrepareStep;
 use crate::strokes::cutting::{inner_first, layers_inner_first};
 use crate::strokes::duplicate_lines::without_duplicates;
-use crate::strokes::hatch::hatch_until;
+use crate::strokes::hatch::{Hatch, HatchError, HatchStyle, hatch_until};
 use crate::strokes::merge::merge;
 use crate::strokes::order::order_until;
 
@@ -32,7 +32,7 @@ pub(super) fn passes<E>(
     for mut layer in layers {
         settings.cancel.check()?;
         let tool = layers::tool(&layer, settings);
-        let lines = Lines::of(&mut layer, tool, settings)?;
+        let lines = Lines::of(&mut layer, tool, settings, warnings)?;
         has_lines |= !lines.is_empty();
         let lines = lines.on_sheet(settings, warnings)?;
         let lines = lines.try_map(|stroke| raw_strokes(stroke, tool, settings))?;
@@ -143,13 +143,35 @@ struct Lines {
 }
 
 impl Lines {
-    fn of(layer: &mut Layer, tool: DrawingTool, settings: &Settings) -> Result<Self, PrepareError> {
+    fn of(
+        layer: &mut Layer,
+        tool: DrawingTool,
+        settings: &Settings,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Self, PrepareError> {
         let (mut own, mut fills) = (std::mem::take(&mut layer.strokes), Vec::new());
+        let mut entangled = 0;
         if let Some(hatching) = &settings.hatch {
+            let straight = Hatch {
+                style: HatchStyle::Lines,
+                ..*hatching
+            };
             for area in &layer.areas {
-                fills.append(&mut hatch_until(area, hatching, &settings.cancel)?);
+                let hatched = match hatch_until(area, hatching, &settings.cancel) {
+                    Err(HatchError::Entangled) => {
+                        entangled += 1;
+                        hatch_until(area, &straight, &settings.cancel)
+                    }
+                    hatched => hatched,
+                };
+                fills.append(&mut hatched?);
             }
         }
+        warnings.extend(counted(
+            entangled,
+            "area",
+            "hatched with lines, because its edge crosses itself too often",
+        ));
         if !tool.cuts() {
             own.append(&mut fills);
         }

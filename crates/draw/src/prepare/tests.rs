@@ -5,6 +5,7 @@ use crate::layout::frame::{FrameShape, frame};
 use crate::layout::place::{Placement, Size};
 use crate::strokes::cutting::Cutting;
 use crate::strokes::hatch::{Hatch, HatchStyle};
+use crate::strokes::shapes::tangle;
 use dobot_api::{Backlash, CalibrationFile};
 use dobot_geometry::{Random, Vec2, deviation};
 use dobot_plan::{ArmLimits, DurationEstimator, Laser, MoveKind};
@@ -329,6 +330,29 @@ fn the_rings_of_a_hatching_are_neither_parts_nor_holes_and_are_burned_before_the
             "{half:?}"
         );
     }
+}
+
+#[test]
+fn an_area_that_cannot_be_hatched_concentrically_is_hatched_with_lines() {
+    let corners = tangle().into_iter().map(|p| format!(" {},{}", p.x, p.y));
+    let svg = format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="90mm" height="80mm" viewBox="0 0 90 80">
+        <polygon points="{}"/></svg>"#,
+        corners.collect::<String>()
+    );
+    let settings = Settings {
+        hatch: Some(Hatch {
+            style: HatchStyle::Spiral,
+            ..Hatch::default()
+        }),
+        ..Settings::default()
+    };
+    let prepared = prepare(&svg.as_str().into(), &settings, anywhere).unwrap();
+    let texts: Vec<String> = prepared.warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        texts,
+        ["1 area: hatched with lines, because its edge crosses itself too often"]
+    );
 }
 
 #[test]

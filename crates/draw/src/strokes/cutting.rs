@@ -543,7 +543,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shape_that_crosses_itself_millions_of_times_is_cut_as_it_is() {
+    fn a_shape_that_crosses_itself_too_often_is_cut_as_it_is() {
         let cutting = Cutting {
             kerf_mm: 0.2,
             ..Cutting::default()

@@ -188,7 +188,7 @@ pub enum HatchError {
     },
     /// The borders cross too often for [`HatchStyle::Concentric`] and [`HatchStyle::Spiral`].
     #[error(
-        "the borders of the area cross each other too often for concentric hatching: choose the hatch style lines"
+        "the borders of the area cross each other too often for concentric hatching: choose lines"
     )]
     Entangled,
     /// There are more corners than a drawing can hold.

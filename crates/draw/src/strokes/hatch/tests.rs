@@ -265,7 +265,7 @@ fn more_lines_than_memory_holds_are_refused() {
 }
 
 #[test]
-fn an_area_whose_border_crosses_itself_millions_of_times_is_hatched_with_lines_only() {
+fn an_area_whose_border_crosses_itself_too_often_is_hatched_with_lines_only() {
     let area = Area {
         rings: vec![tangle()],
         rule: FillRule::NonZero,
