@@ -20,3 +20,9 @@ pub enum FillRule {
     /// Points inside an odd number of rings.
     EvenOdd,
 }
+
+/// Returns the edges of a ring, whose last point connects to the first.
+pub fn edges(ring: &[Point]) -> impl Iterator<Item = (Point, Point)> {
+    let ends = ring.iter().cycle().skip(1);
+    ring.iter().copied().zip(ends.copied())
+}

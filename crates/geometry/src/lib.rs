@@ -24,7 +24,7 @@ mod random;
 mod segment_index;
 mod stroke;
 
-pub use area::{Area, FillRule};
+pub use area::{Area, FillRule, edges};
 pub use bounds::{bounds, bounds_of_strokes, least_width};
 pub use box_tree::BoxTree;
 pub use cancel::{CancelToken, Cancelled};

@@ -8,7 +8,7 @@ use i_overlay::mesh::float::outline::offset::OutlineOffset;
 use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
 use kurbo::{Point, Rect};
 
-use crate::{Area, FillRule, SegmentIndex, bounds};
+use crate::{Area, FillRule, SegmentIndex, bounds, edges};
 
 /// Polygons with holes that neither overlap nor cross each other.
 #[derive(Clone, Debug, Default)]
@@ -144,12 +144,6 @@ fn fragments(edges: &[(Point, Point)]) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "a few millions")]
     let columns = 2.0 * (edges.len() as f64).sqrt();
     across / around.width() * columns
-}
-
-/// The edges of a closed ring.
-fn edges(ring: &[Point]) -> impl Iterator<Item = (Point, Point)> {
-    let ends = ring.iter().cycle().skip(1);
-    ring.iter().copied().zip(ends.copied())
 }
 
 /// The largest number of edge pairs with touching boxes, besides neighbours: a twentieth of a

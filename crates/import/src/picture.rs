@@ -14,7 +14,7 @@ use crate::error::{ImageError, SourceError};
 use crate::options::ReadOptions;
 use crate::warning::Warning;
 use dobot_geometry::{CancelToken, Point};
-use dobot_shading::{ShadingError, ShadingStyle};
+use dobot_shading::ShadingStyle;
 pub(super) use image::ImageFormat;
 
 /// Reads a picture as lines or dots on its page: 96 pixels per inch, or the resolution in a PNG
@@ -33,11 +33,12 @@ pub(crate) fn read(
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let (shading, cancel) = (&options.shading, &options.cancel);
-    let checked = |result: Result<(), ShadingError>| result.map_err(ImageError::from);
-    checked(shading.check())?;
+    shading.check().map_err(ImageError::from)?;
     let header = header(bytes, cancel);
     cancel.check()?;
-    checked(shading.check_size(header?.page(), options.scale))?;
+    shading
+        .check_size(header?.page(), options.scale)
+        .map_err(ImageError::from)?;
     let paper = if shading.invert { 0 } else { 255 };
     let pixels = pixels(bytes, paper, cancel);
     cancel.check()?;

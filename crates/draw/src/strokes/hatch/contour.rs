@@ -2,6 +2,7 @@
 
 use dobot_geometry::{
     Area, CancelToken, Line, ParamCurveNearest, Point, Polygons, SegmentIndex, Stroke, bounds,
+    edges,
 };
 
 use super::{Hatch, HatchError};
@@ -179,11 +180,6 @@ fn nearest_on((a, b): (Point, Point), p: Point) -> (Point, f64) {
     }
     let nearest = Line::new(a, b).nearest(p, 0.0);
     (a.lerp(b, nearest.t), nearest.distance_sq)
-}
-
-fn edges(ring: &[Point]) -> impl Iterator<Item = (Point, Point)> {
-    let ends = ring.iter().cycle().skip(1);
-    ring.iter().copied().zip(ends.copied())
 }
 
 /// The maximum deviation of a rounded corner, in mm.
