@@ -211,7 +211,7 @@ step_test-all() {
   build_rare
   report_failures cargo test --locked --all-features "${FEATURED[@]}" --lib --bins --test it --no-fail-fast
   report_failures cargo test --locked --all-features "${FEATURED[@]}" --test process --no-fail-fast -- \
-    agents:: datasets:: http_agents:: together::
+    agents:: arguments::full:: datasets:: http_agents:: together::
   report_failures cargo test --locked -p dobot-sim --no-default-features --lib --tests --no-fail-fast
   report_failures cargo test --locked --all-features "${FEATURED[@]}" --doc --no-fail-fast
 }

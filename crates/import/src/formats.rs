@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::artwork::Artwork;
 use crate::error::SourceError;
 use crate::options::ReadOptions;
-use crate::picture::{self, ImageFormat};
+use crate::picture::{self, PictureFormat};
 use crate::warning::Warning;
 use crate::{dxf, gcode, hpgl, lightburn, points, svg};
 
@@ -30,22 +30,22 @@ pub static FORMATS: [Format; 13] = [
         reader: Reader::Text(svg::read),
     },
     picture("PNG", &["png"], "image/png", |start| {
-        picture::format(start.bytes) == Some(ImageFormat::Png)
+        picture::format(start.bytes) == Some(PictureFormat::Png)
     }),
     picture("JPEG", &["jpg", "jpeg"], "image/jpeg", |start| {
-        picture::format(start.bytes) == Some(ImageFormat::Jpeg)
+        picture::format(start.bytes) == Some(PictureFormat::Jpeg)
     }),
     picture("GIF", &["gif"], "image/gif", |start| {
-        picture::format(start.bytes) == Some(ImageFormat::Gif)
+        picture::format(start.bytes) == Some(PictureFormat::Gif)
     }),
     picture("WebP", &["webp"], "image/webp", |start| {
-        picture::format(start.bytes) == Some(ImageFormat::WebP)
+        picture::format(start.bytes) == Some(PictureFormat::WebP)
     }),
     picture("BMP", &["bmp"], "image/bmp", |start| {
-        picture::format(start.bytes) == Some(ImageFormat::Bmp)
+        picture::format(start.bytes) == Some(PictureFormat::Bmp)
     }),
     picture("TIFF", &["tif", "tiff"], "image/tiff", |start| {
-        picture::format(start.bytes) == Some(ImageFormat::Tiff)
+        picture::format(start.bytes) == Some(PictureFormat::Tiff)
     }),
     Format {
         name: "DXF",

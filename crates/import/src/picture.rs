@@ -4,18 +4,24 @@ mod cancellable;
 mod decode;
 mod deep;
 mod exif;
-mod frames;
+mod format;
+#[cfg(not(any(feature = "full", test)))]
+mod not_built;
+#[cfg(any(feature = "full", test))]
 mod others;
+#[cfg(any(feature = "full", test))]
+mod series;
 
-pub(super) use self::decode::format;
 use self::decode::{Header, header, pixels};
+pub(super) use self::format::{PictureFormat, format};
+#[cfg(not(any(feature = "full", test)))]
+use self::not_built as others;
 use crate::artwork::{Artwork, Layer};
 use crate::error::{ImageError, SourceError};
 use crate::options::ReadOptions;
 use crate::warning::Warning;
 use dobot_geometry::{CancelToken, Point};
 use dobot_shading::ShadingStyle;
-pub(super) use image::ImageFormat;
 
 /// Reads a picture as lines or dots on its page: 96 pixels per inch, or the resolution in a PNG
 /// file.

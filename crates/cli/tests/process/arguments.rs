@@ -301,22 +301,47 @@ fn shells_get_their_completions() {
 }
 
 #[cfg(feature = "full")]
-#[test]
-fn readers_get_their_manual() {
-    assert!(dobot(&["man"]).succeeds().stdout.contains(".TH dobot 1"));
-    let folder = tempfile::tempdir().expect("there is room");
-    let pages = folder.path().join("man1");
-    dobot(&["man", "--out", pages.to_str().expect("the path is text")]).succeeds();
-    assert!(pages.join("dobot.1").exists() && pages.join("dobot-draw.1").exists());
+mod full {
+    use crate::support::program::dobot;
+
+    #[test]
+    fn readers_get_their_manual() {
+        assert!(dobot(&["man"]).succeeds().stdout.contains(".TH dobot 1"));
+        let folder = tempfile::tempdir().expect("there is room");
+        let pages = folder.path().join("man1");
+        dobot(&["man", "--out", pages.to_str().expect("the path is text")]).succeeds();
+        assert!(pages.join("dobot.1").exists() && pages.join("dobot-draw.1").exists());
+    }
+
+    #[test]
+    fn a_picture_of_a_rare_format_is_drawn() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let picture = super::black_bmp(folder.path());
+        dobot(&["draw", &picture, "--dry-run"]).succeeds();
+    }
+}
+
+/// A BMP file of 8 x 8 black pixels; its path.
+fn black_bmp(folder: &std::path::Path) -> String {
+    let header = [&b"BM"[..], &246_u32.to_le_bytes(), &[0; 4], &[54, 0, 0, 0]];
+    let [size, planes_and_bits] = [[8_u8, 0, 0, 0], [1, 0, 24, 0]];
+    let shape = [&[40, 0, 0, 0], &size, &size, &planes_and_bits].map(|&part| part);
+    let file = [&header.concat()[..], &shape.concat(), &[0; 24 + 192]].concat();
+    let path = folder.join("black.bmp");
+    std::fs::write(&path, file).expect("there is room");
+    path.to_str().expect("the path is text").to_owned()
 }
 
 #[cfg(not(feature = "full"))]
 #[test]
 fn parts_that_are_not_built_in_say_how_to_get_them() {
     let capture = crate::decoding::sample("ethernet.pcap");
+    let folder = tempfile::tempdir().expect("there is room");
+    let picture = black_bmp(folder.path());
     for (arguments, part) in [
         (&["man"][..], "manual pages"),
         (&["decode", &capture], "network captures"),
+        (&["draw", &picture, "--dry-run"], "BMP pictures"),
     ] {
         dobot(arguments).fails(1, &[part, "--features full"]);
     }

@@ -29,6 +29,14 @@ pub enum ImageError {
         /// The message of the decoder.
         problem: String,
     },
+    /// This program is built without the reader of this format.
+    #[error(
+        "this program is built without {format} pictures; save the picture as PNG or JPEG, or use a released archive or `cargo build --release --features full`"
+    )]
+    NotBuilt {
+        /// The format.
+        format: &'static str,
+    },
     /// The width or height is 0, which is possible in a GIF file.
     #[error(
         "the picture has {width} x {height} pixels; allowed are 1 x 1 or more; save it again as PNG or JPEG"

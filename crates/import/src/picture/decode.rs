@@ -1,8 +1,7 @@
-//! Pictures to grey pixels: PNG and JPEG here, others in `others`.
+//! Pictures to grey pixels: PNG and JPEG here, the others in `others`.
 
 use dobot_geometry::{CancelToken, Point};
 use dobot_shading::{GreyPicture, Orientation};
-use image::ImageFormat;
 use png::{BitDepth, ColorType, Limits, Transformations, Unit};
 use zune_jpeg::JpegDecoder;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
@@ -11,7 +10,7 @@ use zune_jpeg::zune_core::options::DecoderOptions;
 use super::cancellable::CancellableBytes;
 use super::deep::DeepPixels;
 use super::exif::orientation;
-use super::frames::ANIMATION;
+use super::format::{PictureFormat, format};
 use super::others;
 use crate::error::ImageError;
 
@@ -68,27 +67,7 @@ impl Header {
     }
 }
 
-/// The format of a file with this start, whatever its name is.
-pub(crate) fn format(bytes: &[u8]) -> Option<ImageFormat> {
-    let is_webp = bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP");
-    let formats = [
-        (ImageFormat::Png, bytes.starts_with(b"\x89PNG\r\n\x1a\n")),
-        (ImageFormat::Jpeg, bytes.starts_with(b"\xff\xd8\xff")),
-        (ImageFormat::Gif, bytes.starts_with(b"GIF8")),
-        (ImageFormat::WebP, is_webp),
-        (
-            ImageFormat::Bmp,
-            bytes.starts_with(b"BM") && bytes.get(6..10) == Some(&[0; 4]),
-        ),
-        (
-            ImageFormat::Tiff,
-            bytes.starts_with(b"II*\0") || bytes.starts_with(b"MM\0*"),
-        ),
-    ];
-    formats.into_iter().find(|format| format.1).map(|at| at.0)
-}
-
-fn known_format(bytes: &[u8]) -> Result<ImageFormat, ImageError> {
+fn known_format(bytes: &[u8]) -> Result<PictureFormat, ImageError> {
     if bytes.is_empty() {
         return Err(ImageError::EmptyFile);
     }
@@ -98,8 +77,8 @@ fn known_format(bytes: &[u8]) -> Result<ImageFormat, ImageError> {
 /// Reads the header only. A cancelled one may be any error.
 pub(super) fn header(bytes: &[u8], cancel: &CancelToken) -> Result<Header, ImageError> {
     match known_format(bytes)? {
-        ImageFormat::Png => png(bytes, cancel).map(|png| png.header),
-        ImageFormat::Jpeg => jpeg(bytes, cancel).map(|jpeg| jpeg.header),
+        PictureFormat::Png => png(bytes, cancel).map(|png| png.header),
+        PictureFormat::Jpeg => jpeg(bytes, cancel).map(|jpeg| jpeg.header),
         format => others::header(bytes, format, cancel),
     }
 }
@@ -112,8 +91,8 @@ pub(super) fn pixels(
     cancel: &CancelToken,
 ) -> Result<(Header, Vec<u8>), ImageError> {
     match known_format(bytes)? {
-        ImageFormat::Png => png_pixels(bytes, paper, cancel),
-        ImageFormat::Jpeg => jpeg_pixels(bytes, cancel),
+        PictureFormat::Png => png_pixels(bytes, paper, cancel),
+        PictureFormat::Jpeg => jpeg_pixels(bytes, cancel),
         format => others::pixels(bytes, format, paper, cancel),
     }
 }
@@ -355,15 +334,15 @@ fn byte(value: u32) -> u8 {
 }
 
 fn bad_png(problem: impl ToString) -> ImageError {
-    damaged("PNG", problem)
+    damaged(PictureFormat::Png, problem)
 }
 
 fn bad_jpeg(problem: impl ToString) -> ImageError {
-    damaged("JPEG", problem)
+    damaged(PictureFormat::Jpeg, problem)
 }
 
 #[expect(clippy::needless_pass_by_value, reason = "used with `map_err`")]
-pub(super) fn damaged(format: &'static str, problem: impl ToString) -> ImageError {
+pub(super) fn damaged(format: PictureFormat, problem: impl ToString) -> ImageError {
     let problem = problem.to_string();
     let line = problem.lines().next().unwrap_or_default();
     let lower = line.to_ascii_lowercase();
@@ -373,7 +352,7 @@ pub(super) fn damaged(format: &'static str, problem: impl ToString) -> ImageErro
         line.trim_end_matches('.')
     };
     ImageError::Damaged {
-        format,
+        format: format.name(),
         problem: problem.to_owned(),
     }
 }
@@ -386,6 +365,8 @@ const CUT_OFF: [&str; 4] = [
     "exhausted",
 ];
 
+/// A kind of a file with further pictures.
+pub(super) const ANIMATION: &str = "animation";
 /// 96 per inch, as in browsers.
 pub(super) const PIXEL_MM: f64 = 25.4 / 96.0;
 const MAX_PIXELS: usize = 100_000_000;

@@ -1,9 +1,10 @@
 //! GIF, WebP, BMP and TIFF files to grey pixels.
 
 use super::cancellable::CancellableBytes;
-use super::decode::{self, Header, PIXEL_MM, on_paper};
+use super::decode::{Header, PIXEL_MM, damaged, on_paper};
 use super::deep::DeepPixels;
-use super::frames::series;
+use super::format::PictureFormat;
+use super::series::series;
 use crate::error::ImageError;
 use dobot_geometry::{CancelToken, Point};
 use dobot_shading::Orientation;
@@ -12,7 +13,7 @@ use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 /// Reads the header only.
 pub(super) fn header(
     bytes: &[u8],
-    format: ImageFormat,
+    format: PictureFormat,
     cancel: &CancelToken,
 ) -> Result<Header, ImageError> {
     decoder(bytes, format, cancel).map(|decoder| decoder.1)
@@ -22,12 +23,12 @@ pub(super) fn header(
 /// animation the first picture is used.
 pub(super) fn pixels(
     bytes: &[u8],
-    format: ImageFormat,
+    format: PictureFormat,
     paper: u8,
     cancel: &CancelToken,
 ) -> Result<(Header, Vec<u8>), ImageError> {
     let (decoder, header) = decoder(bytes, format, cancel)?;
-    let image = DynamicImage::from_decoder(decoder).map_err(|error| damaged(format, &error))?;
+    let image = DynamicImage::from_decoder(decoder).map_err(|error| damaged(format, error))?;
     if let DynamicImage::ImageLuma16(_)
     | DynamicImage::ImageLumaA16(_)
     | DynamicImage::ImageRgb16(_)
@@ -48,13 +49,14 @@ pub(super) fn pixels(
 
 fn decoder<'a>(
     bytes: &'a [u8],
-    format: ImageFormat,
+    format: PictureFormat,
     cancel: &CancelToken,
 ) -> Result<(impl ImageDecoder + use<'a>, Header), ImageError> {
-    let bad = |error| damaged(format, &error);
+    let bad = |error| damaged(format, error);
     let mut limits = Limits::default();
     limits.max_alloc = Some(MAX_BYTES);
-    let mut reader = ImageReader::with_format(CancellableBytes::new(bytes, cancel), format);
+    let mut reader =
+        ImageReader::with_format(CancellableBytes::new(bytes, cancel), in_library(format));
     reader.limits(limits);
     let mut decoder = reader.into_decoder().map_err(bad)?;
     let (width, height) = decoder.dimensions();
@@ -69,8 +71,8 @@ fn decoder<'a>(
     Ok((decoder, header.check(max_pixels(bytes, format))?))
 }
 
-fn max_pixels(bytes: &[u8], format: ImageFormat) -> usize {
-    if format == ImageFormat::WebP && !is_lossless(bytes) {
+fn max_pixels(bytes: &[u8], format: PictureFormat) -> usize {
+    if format == PictureFormat::WebP && !is_lossless(bytes) {
         MAX_LOSSY_PIXELS
     } else {
         MAX_PIXELS
@@ -98,14 +100,16 @@ fn is_lossless(bytes: &[u8]) -> bool {
     false
 }
 
-fn damaged(format: ImageFormat, error: &image::ImageError) -> ImageError {
-    let format = match format {
-        ImageFormat::Gif => "GIF",
-        ImageFormat::WebP => "WebP",
-        ImageFormat::Bmp => "BMP",
-        _ => "TIFF",
-    };
-    decode::damaged(format, error)
+/// The name of a format in the library, which reads those of this module only.
+fn in_library(format: PictureFormat) -> ImageFormat {
+    match format {
+        PictureFormat::Png => ImageFormat::Png,
+        PictureFormat::Jpeg => ImageFormat::Jpeg,
+        PictureFormat::Gif => ImageFormat::Gif,
+        PictureFormat::WebP => ImageFormat::WebP,
+        PictureFormat::Bmp => ImageFormat::Bmp,
+        PictureFormat::Tiff => ImageFormat::Tiff,
+    }
 }
 
 /// The largest number of pixels; these decoders return all pixels at once, in colour.

@@ -1,13 +1,14 @@
 //! Detection of files with several pictures.
 
-use image::ImageFormat;
+use super::decode::ANIMATION;
+use super::format::PictureFormat;
 
 /// The kind of a file with more than one picture; `None` for one picture, or for damage after it.
-pub(super) fn series(bytes: &[u8], format: ImageFormat) -> Option<&'static str> {
+pub(super) fn series(bytes: &[u8], format: PictureFormat) -> Option<&'static str> {
     match format {
-        ImageFormat::Gif => has_further_gif(bytes)?.then_some(ANIMATION),
-        ImageFormat::WebP => is_moving_webp(bytes)?.then_some(ANIMATION),
-        ImageFormat::Tiff => has_further_page(bytes)?.then_some("file of several pages"),
+        PictureFormat::Gif => has_further_gif(bytes)?.then_some(ANIMATION),
+        PictureFormat::WebP => is_moving_webp(bytes)?.then_some(ANIMATION),
+        PictureFormat::Tiff => has_further_page(bytes)?.then_some("file of several pages"),
         _ => None,
     }
 }
@@ -80,7 +81,6 @@ fn has_further_page(bytes: &[u8]) -> Option<bool> {
     Some(kind & (SMALLER | MASK) == 0)
 }
 
-pub(super) const ANIMATION: &str = "animation";
 /// The TIFF tag of the kind of a picture.
 const NEW_SUBFILE_TYPE: usize = 254;
 const SMALLER: usize = 1;
@@ -105,12 +105,12 @@ mod tests {
 
     #[test]
     fn further_pictures_are_found_without_looking_at_their_pixels() {
-        let of_gif = |images| series(&gif(images), ImageFormat::Gif);
+        let of_gif = |images| series(&gif(images), PictureFormat::Gif);
         assert_eq!([of_gif(1), of_gif(2)], [None, Some(ANIMATION)]);
         let webp = |flags| [&b"RIFF....WEBPVP8X\x0a\0\0\0"[..], &[flags]].concat();
-        let of_webp = |flags| series(&webp(flags), ImageFormat::WebP);
+        let of_webp = |flags| series(&webp(flags), PictureFormat::WebP);
         assert_eq!([of_webp(0x10), of_webp(0x12)], [None, Some(ANIMATION)]);
-        let of_tiff = |tag, value| series(&tiff(tag, value), ImageFormat::Tiff);
+        let of_tiff = |tag, value| series(&tiff(tag, value), PictureFormat::Tiff);
         let pages = Some("file of several pages");
         assert_eq!([of_tiff(254, 2), of_tiff(255, 1)], [pages, pages]);
         // A thumbnail and a mask.
@@ -120,13 +120,13 @@ mod tests {
     #[test]
     fn a_truncated_file_has_no_further_pictures() {
         for (bytes, format) in [
-            (gif(2), ImageFormat::Gif),
-            (tiff(254, 0), ImageFormat::Tiff),
+            (gif(2), PictureFormat::Gif),
+            (tiff(254, 0), PictureFormat::Tiff),
         ] {
             for end in 0..bytes.len() - 24 {
                 assert_eq!(series(&bytes[..end], format), None);
             }
         }
-        assert_eq!(series(b"II*\0\xff\xff\xff\xff", ImageFormat::Tiff), None);
+        assert_eq!(series(b"II*\0\xff\xff\xff\xff", PictureFormat::Tiff), None);
     }
 }
