@@ -705,8 +705,8 @@ needs_drawings() {
 step_budget() {
   local packages
   packages=$(cargo tree --locked -p dobot-cli --edges normal,build --prefix none --format '{p}' | sed 's/ (\*)$//' | sort -u | wc -l)
-  echo "packages: $packages (at most 312)"
-  ((packages <= 312)) || fail "$packages packages; which of them does a plain clone need?"
+  echo "packages: $packages (at most 291)"
+  ((packages <= 291)) || fail "$packages packages; which of them does a plain clone need?"
   echo "largest libraries in $(built):"
   find "$(built)/deps" -name '*.rlib' -printf '%s %f\n' | sed 's/ lib\(.*\)-[0-9a-f]*\.rlib$/ \1/' | sort -rn |
     awk '!seen[$2]++ && n++ < 5 { printf "  %5.1f MB  %s\n", $1 / 1e6, $2 }'

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use redb::backends::{FileBackend, InMemoryBackend};
 use redb::{
-    Builder, Database, DatabaseError, ReadTransaction, ReadableDatabase, ReadableTable,
+    Builder, Database, DatabaseError, Durability, ReadTransaction, ReadableDatabase, ReadableTable,
     StorageBackend, StorageError, TableDefinition, TableError, WriteTransaction,
 };
 
@@ -20,6 +20,7 @@ pub(crate) struct Store {
     database: Option<Database>,
     open_again: Box<dyn Fn() -> Result<Database, DatabaseError> + Send + Sync>,
     file: String,
+    durability: Durability,
     /// The number of writes, kept in a separate file that damage to the database does not reach.
     count: Option<WriteCount>,
 }
@@ -48,6 +49,7 @@ impl Store {
             database: Some(database.map_err(|error| failed(&file, error.into()))?),
             open_again: Box::new(move || builder().open(&again)),
             file,
+            durability: Durability::Immediate,
             count: Some(count),
         })
     }
@@ -64,13 +66,20 @@ impl Store {
             database: Some(database),
             open_again: Box::new(open),
             file,
+            durability: Durability::Immediate,
             count: None,
         })
     }
 
     /// Opens a private database in memory.
     pub(crate) fn in_memory() -> Result<Self, JournalError> {
-        Self::with_backend(InMemoryBackend::new)
+        let store = Self::with_backend(InMemoryBackend::new)?;
+        // Nothing survives the process, whatever a write costs.
+        let durability = Durability::None;
+        Ok(Self {
+            durability,
+            ..store
+        })
     }
 
     /// Reads.
@@ -89,9 +98,12 @@ impl Store {
         change: impl FnOnce(&WriteTransaction) -> Result<(), redb::Error>,
     ) -> Result<(), JournalError> {
         let mut number = 0;
-        let changed = commit(self.database()?, |transaction| {
+        let (durability, counts) = (self.durability, self.count.is_some());
+        let changed = commit(self.database()?, durability, |transaction| {
             change(transaction)?;
-            number = number_write(transaction)?;
+            if counts {
+                number = number_write(transaction)?;
+            }
             Ok(())
         });
         changed.map_err(|error| self.recover(error))?;
@@ -218,7 +230,7 @@ fn initialise(database: &Database) -> Result<(), redb::Error> {
         Err(TableError::TableDoesNotExist(_)) => {}
         other => return other.map(|_| ()).map_err(Into::into),
     }
-    commit(database, |transaction| {
+    commit(database, Durability::Immediate, |transaction| {
         let mut facts = transaction.open_table(FACTS)?;
         facts.insert(FORMAT_FACT, FORMAT)?;
         facts.insert(CLEAN_FACT, 1)?;
@@ -236,9 +248,11 @@ fn initialise(database: &Database) -> Result<(), redb::Error> {
 
 fn commit(
     database: &Database,
+    durability: Durability,
     change: impl FnOnce(&WriteTransaction) -> Result<(), redb::Error>,
 ) -> Result<(), redb::Error> {
-    let transaction = database.begin_write()?;
+    let mut transaction = database.begin_write()?;
+    transaction.set_durability(durability)?;
     change(&transaction)?;
     transaction.commit()?;
     Ok(())
