@@ -1,5 +1,6 @@
 //! The layers to draw, their tools and their order.
 
+use crate::output::timeline::rounded;
 use dobot_import::{Layer, Warning};
 use dobot_plan::{DrawingTool, MIN_BURN_MM_S, Pass, Plan, SlowBurning};
 
@@ -157,7 +158,7 @@ pub(super) fn slow_burning(plan: &Plan) -> Vec<Warning> {
             burned_mm,
             even_mm_s,
         } = plan.slow_burning(pass)?;
-        let asked_mm_s = pass.tool.speed_mm_s();
+        let asked_mm_s = rounded(pass.tool.speed_mm_s(), 10.0);
         let even = if even_mm_s < MIN_BURN_MM_S.into() {
             String::new()
         } else {

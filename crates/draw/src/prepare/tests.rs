@@ -897,6 +897,9 @@ fn lines_burned_slower_than_requested_are_reported_with_the_speed_at_which_they_
     let even_mm_s: f64 = speed.and_then(|speed| speed.parse().ok()).expect("a speed");
     assert!(even_mm_s > 6.0 && even_mm_s < 10.1, "{warning}");
     assert_eq!(warning_of(even_mm_s), "");
+    // 1000 mm/min, as in a file.
+    let warning = warning_of(1000.0 / 60.0);
+    assert!(warning.contains(" instead of 16.7 mm/s,"), "{warning}");
 }
 
 #[test]
