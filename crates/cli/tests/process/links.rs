@@ -196,8 +196,9 @@ fn the_start_of_a_station_shows_the_cause_and_not_a_lost_link() {
         "127.0.0.1:0",
     ];
     let arguments = [&arguments[..], &["--raw", "off"]].concat();
-    let mut station = RunningProcess::new(command_at(folder.path(), &arguments));
+    let station = command_at(folder.path(), &arguments);
     // Either with the start, or, if the port was still being opened, in the first notice.
+    let mut station = RunningProcess::with_errors_in_output(station);
     let first = station.wait_for_line("there is no serial port /dev/no-such-port");
     assert!(first.contains("dobot ports"), "{first}");
     assert!(!first.contains("lost"), "{first}");

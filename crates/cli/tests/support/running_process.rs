@@ -1,9 +1,9 @@
 //! A running `dobot` process.
 
-use std::io::{BufRead, BufReader};
 #[cfg(unix)]
-use std::io::{PipeReader, Write};
-use std::process::{Child, ChildStderr, ChildStdout, Command, Stdio};
+use std::io::Write;
+use std::io::{BufRead, BufReader, PipeReader, PipeWriter, pipe};
+use std::process::{Child, ChildStderr, Command, Stdio};
 
 #[cfg(unix)]
 use rustix::process::{Pid, Signal, kill_process};
@@ -14,7 +14,7 @@ use super::full_pipe::full_pipe;
 /// A running process, which is killed at the end of the test.
 pub(crate) struct RunningProcess {
     child: Child,
-    output: BufReader<ChildStdout>,
+    output: BufReader<PipeReader>,
 }
 
 impl RunningProcess {
@@ -28,6 +28,14 @@ impl RunningProcess {
         let mut process = Self::start(command, Stdio::piped());
         let errors = process.child.stderr.take().expect("it is piped");
         (process, BufReader::new(errors))
+    }
+
+    /// Starts a process whose output includes its standard error.
+    #[cfg(unix)]
+    pub(crate) fn with_errors_in_output(command: Command) -> Self {
+        let (output, writer) = pipe().expect("a pipe is free");
+        let errors = writer.try_clone().expect("a handle");
+        Self::spawn(command, Stdio::null(), (output, writer), errors.into())
     }
 
     /// Starts a process whose standard error is a full pipe until the reader is dropped.
@@ -54,15 +62,21 @@ impl RunningProcess {
         Self::start_with(command, Stdio::null(), errors)
     }
 
-    fn start_with(mut command: Command, input: Stdio, errors: Stdio) -> Self {
-        let mut child = command
-            .stdin(input)
-            .stdout(Stdio::piped())
-            .stderr(errors)
-            .spawn()
-            .expect("the program starts");
-        let output = BufReader::new(child.stdout.take().expect("it is piped"));
-        Self { child, output }
+    fn start_with(command: Command, input: Stdio, errors: Stdio) -> Self {
+        Self::spawn(command, input, pipe().expect("a pipe is free"), errors)
+    }
+
+    fn spawn(
+        mut command: Command,
+        input: Stdio,
+        (output, writer): (PipeReader, PipeWriter),
+        errors: Stdio,
+    ) -> Self {
+        let command = command.stdin(input).stdout(writer).stderr(errors);
+        Self {
+            child: command.spawn().expect("the program starts"),
+            output: BufReader::new(output),
+        }
     }
 
     /// Waits for a line of output that contains a text.

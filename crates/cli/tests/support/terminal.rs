@@ -111,12 +111,14 @@ impl Terminal {
         while let Ok(more) = self.shown.try_recv() {
             self.read(&more);
         }
+        let until = Instant::now() + PATIENCE;
         loop {
             let screen = self.screen.screen().contents();
             if let Some(index) = texts.iter().position(|text| screen.contains(text)) {
                 return index;
             }
-            let more = self.shown.recv_timeout(PATIENCE);
+            let left = until.saturating_duration_since(Instant::now());
+            let more = self.shown.recv_timeout(left);
             assert!(more.is_ok(), "{texts:?} are missing:\n{screen}");
             self.read(&more.unwrap_or_default());
         }
