@@ -792,55 +792,13 @@ main() {
   mkdir -p target
   printf '%-12s %8s %8s\n' step 'build s' 'test s' >"$TIMES"
   install_packages_early "${names[@]}"
-  if [[ ${1:-push} == push ]]; then
-    run_push_steps
-  else
-    run_in_turn "${names[@]}"
-  fi
+  for name in "${names[@]}"; do
+    run "$name"
+  done
   printf '%-12s %17s\n' total "$SECONDS" >>"$TIMES"
   cat "$TIMES"
   [[ ${1:-push} != push ]] || step_budget
   echo "ci.sh: all passed (${names[*]}) in $SECONDS s"
-}
-
-# The tests of processes and browsers wait more than they compute: other steps run meanwhile, and print when they are done.
-run_push_steps() {
-  local failed=0 output=target/ci-meanwhile.txt
-  run_in_turn fmt licences lint page
-  # Each lane gets a process group: an interrupted run ends what it has started.
-  set -m
-  lane test browser </dev/null &
-  LANES+=("$!")
-  lane doc no-std examples api python </dev/null >"$output" 2>&1 &
-  LANES+=("$!")
-  set +m
-  wait "${LANES[0]}" || failed=1
-  wait "${LANES[1]}" || failed=1
-  LANES=()
-  cat "$output"
-  ((failed == 0)) || exit 1
-}
-
-lane() {
-  LANES=()
-  trap on_exit EXIT
-  run_in_turn "$@"
-}
-
-run_in_turn() {
-  local name
-  for name in "$@"; do
-    run "$name"
-  done
-}
-
-on_exit() {
-  local lane
-  for lane in "${LANES[@]}"; do
-    kill -- "-$lane" || true
-  done
-  [[ -z $STATION ]] || kill "$STATION"
-  [[ -z $CURRENT ]] || echo "ci.sh: $CURRENT failed" >&2
 }
 
 run() {
@@ -885,6 +843,5 @@ CURRENT=
 STATION=
 INSTALLING=
 BUILT=0
-LANES=()
-trap on_exit EXIT
+trap 'if [[ -n $STATION ]]; then kill "$STATION"; fi; if [[ -n $CURRENT ]]; then echo "ci.sh: $CURRENT failed" >&2; fi' EXIT
 main "$@"
