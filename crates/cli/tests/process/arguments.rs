@@ -321,12 +321,24 @@ mod full {
     }
 }
 
-/// A BMP file of 8 x 8 black pixels; its path.
+/// Writes a BMP file of 8 x 8 black pixels, and returns its path.
 fn black_bmp(folder: &std::path::Path) -> String {
-    let header = [&b"BM"[..], &246_u32.to_le_bytes(), &[0; 4], &[54, 0, 0, 0]];
-    let [size, planes_and_bits] = [[8_u8, 0, 0, 0], [1, 0, 24, 0]];
-    let shape = [&[40, 0, 0, 0], &size, &size, &planes_and_bits].map(|&part| part);
-    let file = [&header.concat()[..], &shape.concat(), &[0; 24 + 192]].concat();
+    let (header, pixels) = (14 + 40, 3 * 8 * 8);
+    // The length of the file and of both headers; width, height, planes and bits of a pixel.
+    let numbers: [(usize, u8); 7] = [
+        (2, header + pixels),
+        (10, header),
+        (14, 40),
+        (18, 8),
+        (22, 8),
+        (26, 1),
+        (28, 24),
+    ];
+    let mut file = vec![0; usize::from(header) + usize::from(pixels)];
+    file[..2].copy_from_slice(b"BM");
+    for (place, number) in numbers {
+        file[place] = number;
+    }
     let path = folder.join("black.bmp");
     std::fs::write(&path, file).expect("there is room");
     path.to_str().expect("the path is text").to_owned()
