@@ -27,14 +27,18 @@ export function createSetUp(store, http, socket) {
       /** @type {Schemas["TokenView"][] | undefined} */
       const tokens = await http.json("api/v1/tokens");
       if (tokens) send({ type: "tokens", tokens });
-      /** @type {string[] | undefined} */
-      const addresses = await http.json("api/v1/addresses");
-      if (addresses) send({ type: "addresses", addresses });
+      await readAddresses();
     }
     if (store.page.station?.link.address !== "virtual:") return;
     /** @type {string[] | undefined} */
     const faults = await http.json("api/v1/faults");
     if (faults) send({ type: "faults", faults });
+  }
+
+  async function readAddresses() {
+    /** @type {string[] | undefined} */
+    const addresses = await http.json("api/v1/addresses");
+    if (addresses) send({ type: "addresses", addresses });
   }
 
   async function check() {
@@ -91,6 +95,8 @@ export function createSetUp(store, http, socket) {
     },
     /** Makes a token for a phone, whose user gives a name there, if a phone can reach the station. @param {Schemas["Role"]} role */
     async usePhone(role) {
+      // Those of the page may not have been read yet, or may have changed.
+      await readAddresses();
       const { tokens, addresses } = store.page.set_up;
       if (!addresses.length) return send({ type: "phone_wanted" });
       const taken = new Set(tokens?.map(({ name }) => name));
