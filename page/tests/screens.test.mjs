@@ -52,7 +52,10 @@ for (const [name, [width, height]] of Object.entries(SIZES)) {
       await page.click(`#tab-${tab}`);
       assert.ok(await isStopFree(page), tab);
       // Some panels are loaded when they are first shown.
-      await page.waitForFunction(() => document.getElementById("panel").childElementCount > 0 && document.getElementById("panel").clientHeight > 0);
+      await page.waitForFunction((label) => {
+        const panel = document.getElementById("panel");
+        return panel.getAttribute("aria-labelledby") === label && panel.childElementCount > 0;
+      }, `tab-${tab}`);
       const room = await page.evaluate(() => document.getElementById("panel").clientHeight);
       assert.ok(room >= 120, `${tab}: ${room} px for the panel`);
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true, `${tab} is wider than the window`);

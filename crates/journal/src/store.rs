@@ -74,7 +74,7 @@ impl Store {
     /// Opens a private database in memory.
     pub(crate) fn in_memory() -> Result<Self, JournalError> {
         let store = Self::with_backend(InMemoryBackend::new)?;
-        // Nothing survives the process, whatever a write costs.
+        // It ends with the process: a durable write would cost more and gain nothing.
         let durability = Durability::None;
         Ok(Self {
             durability,

@@ -1,6 +1,5 @@
 //! The layers to draw, their tools and their order.
 
-use crate::output::timeline::rounded;
 use dobot_import::{Layer, Warning};
 use dobot_plan::{DrawingTool, MIN_BURN_MM_S, Pass, Plan, SlowBurning};
 
@@ -158,14 +157,14 @@ pub(super) fn slow_burning(plan: &Plan) -> Vec<Warning> {
             burned_mm,
             even_mm_s,
         } = plan.slow_burning(pass)?;
-        let asked_mm_s = rounded(pass.tool.speed_mm_s(), 10.0);
+        let asked_mm_s = pass.tool.speed_mm_s();
         let even = if even_mm_s < MIN_BURN_MM_S.into() {
             String::new()
         } else {
             format!("; at {even_mm_s:.1} mm/s nearly all of it is even")
         };
         let instead = format!(
-            "{slow_mm:.0} of its {burned_mm:.0} mm, down to {even_mm_s:.1} instead of {asked_mm_s} mm/s, and so darker: corners, short vectors and the link allow no more{even}"
+            "{slow_mm:.0} of its {burned_mm:.0} mm, down to {even_mm_s:.1} instead of {asked_mm_s:.1} mm/s, and so darker: corners, short vectors and the link allow no more{even}"
         );
         counted(1, "layer burned slower", &instead)
     });

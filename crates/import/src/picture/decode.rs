@@ -365,7 +365,7 @@ const CUT_OFF: [&str; 4] = [
     "exhausted",
 ];
 
-/// A kind of a file with further pictures.
+/// The kind of a file whose further pictures are those of an animation.
 pub(super) const ANIMATION: &str = "animation";
 /// 96 per inch, as in browsers.
 pub(super) const PIXEL_MM: f64 = 25.4 / 96.0;
