@@ -28,20 +28,25 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 # The Python module finds the interpreter's symbols when it is loaded.
 export PYO3_BUILD_EXTENSION_MODULE=1
 
-# Name and purpose, in the order in which they run: cheap ones first.
-readonly PUSH_STEPS=(
+# Name and purpose of the steps. The cheap ones run first, then the two other lists side by side.
+readonly CHEAP_STEPS=(
   "fmt          Is all code formatted?"
   "licences     Does every dependency have a licence that we may ship?"
   "lint         Run clippy; warnings are errors. Check the wording, spelling and the size of functions"
+)
+readonly CODE_STEPS=(
   "test         Run cargo test"
   "doc          Build the documentation; warnings are errors. Compare the READMEs with its examples, and docs/crates.md with the manifests"
   "no-std       Link wire, arm, motion and controller without the standard library"
   "examples     Run every example; none needs an arm"
   "api          Send a station requests that schemathesis makes from its OpenAPI document"
   "python       Run the Python package's tests and notebooks; check its types with mypy and pyright"
+)
+readonly PAGE_STEPS=(
   "page         Check the page's types and packages, and run its unit tests"
   "browser      Test the page with a real pointer in a browser"
 )
+readonly PUSH_STEPS=("${CHEAP_STEPS[@]}" "${CODE_STEPS[@]}" "${PAGE_STEPS[@]}")
 readonly WIDE_STEPS=(
   "lint-all     Run clippy with all features"
   "test-all     Run the tests of the crates that have more features, with all of them"
@@ -244,9 +249,9 @@ step_doc() {
     diff <(example_of_library "$library") <(example_of_readme "$readme") ||
       fail "$readme: the example is not that of $library (<), which is tested"
   done
-  diff <(cargo run --locked --quiet -p dobot-examples --example crates) docs/crates.md ||
-    fail "docs/crates.md is not what the manifests say (<); regenerate it (docs/recipes.md)"
   build_all
+  diff <("$(built)/examples/crates") docs/crates.md ||
+    fail "docs/crates.md is not what the manifests say (<); regenerate it (docs/recipes.md)"
   diff <(docs/draw-options.sh "$DOBOT") docs/draw-options.md ||
     fail "docs/draw-options.md is not what dobot draw --help prints (<); regenerate it (docs/recipes.md)"
 }
@@ -792,13 +797,55 @@ main() {
   mkdir -p target
   printf '%-12s %8s %8s\n' step 'build s' 'test s' >"$TIMES"
   install_packages_early "${names[@]}"
-  for name in "${names[@]}"; do
-    run "$name"
-  done
+  if [[ ${1:-push} == push ]]; then
+    run_push_steps
+  else
+    run_in_turn "${names[@]}"
+  fi
   printf '%-12s %17s\n' total "$SECONDS" >>"$TIMES"
   cat "$TIMES"
   [[ ${1:-push} != push ]] || step_budget
   echo "ci.sh: all passed (${names[*]}) in $SECONDS s"
+}
+
+# Tests of processes and of the page wait more than they compute: two lanes share the cores. The page's lane prints when it is done.
+run_push_steps() {
+  local failed=0 output=target/ci-page.txt
+  run_in_turn "${CHEAP_STEPS[@]%% *}"
+  # Each lane gets a process group: an interrupted run ends what it has started.
+  set -m
+  lane "${CODE_STEPS[@]%% *}" </dev/null &
+  LANES+=("$!")
+  lane "${PAGE_STEPS[@]%% *}" </dev/null >"$output" 2>&1 &
+  LANES+=("$!")
+  set +m
+  wait "${LANES[0]}" || failed=1
+  wait "${LANES[1]}" || failed=1
+  LANES=()
+  cat "$output"
+  ((failed == 0)) || exit 1
+}
+
+lane() {
+  LANES=()
+  trap on_exit EXIT
+  run_in_turn "$@"
+}
+
+run_in_turn() {
+  local name
+  for name in "$@"; do
+    run "$name"
+  done
+}
+
+on_exit() {
+  local lane
+  for lane in "${LANES[@]}"; do
+    kill -- "-$lane" || true
+  done
+  [[ -z $STATION ]] || kill "$STATION"
+  [[ -z $CURRENT ]] || echo "ci.sh: $CURRENT failed" >&2
 }
 
 run() {
@@ -843,5 +890,6 @@ CURRENT=
 STATION=
 INSTALLING=
 BUILT=0
-trap 'if [[ -n $STATION ]]; then kill "$STATION"; fi; if [[ -n $CURRENT ]]; then echo "ci.sh: $CURRENT failed" >&2; fi' EXIT
+LANES=()
+trap on_exit EXIT
 main "$@"

@@ -38,13 +38,14 @@ test("the code leads a phone to the station in the network, with the chosen role
   await requested;
   await page.waitForSelector("#phone");
   await page.selectOption("#phone [name=role]", "watch");
-  await page.click("#phone-use");
+  await page.dblclick("#phone-use");
   await page.waitForSelector("#token-made .qr");
   isMade();
   const address = await page.getAttribute("#token-address", "href");
   assert.match(address, /^https:\/\/192\.168\.1\.7:8642\/#token=[0-9a-f]{64}$/);
-  const [token] = await bench.ask("api/v1/tokens");
-  assert.deepEqual([token.name, token.role, token.shared], ["phone", "watch", true]);
+  const tokens = await bench.ask("api/v1/tokens");
+  assert.deepEqual(tokens.map(({ name, role, shared }) => [name, role, shared]), [["phone", "watch", true]]);
+  assert.equal(await page.isVisible(".refusal"), false, "a double press makes one token");
   const phone = await bench.visit(PHONE);
   await phone.goto("about:blank");
   await phone.goto(bench.url + new URL(address).hash);

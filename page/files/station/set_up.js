@@ -76,6 +76,29 @@ export function createSetUp(store, http, socket) {
     send({ type: "policy_typed", text: edited.text });
   }
 
+  /** @param {string} name @param {Schemas["Role"]} role @param {boolean} shared Whether several people have it. */
+  async function makeToken(name, role, shared) {
+    /** @type {Schemas["NewToken"] | undefined} */
+    const token = await change("tokens", "POST", "api/v1/tokens", { name, role, shared });
+    if (token) send({ type: "token_made", token });
+    await read();
+  }
+
+  /** @param {Schemas["Role"]} role */
+  async function makePhoneToken(role) {
+    // The page may not have read them yet, or they may have changed.
+    await readAddresses();
+    const { tokens, addresses } = store.page.set_up;
+    if (!addresses.length) return send({ type: "phone_wanted" });
+    const taken = new Set(tokens?.map(({ name }) => name));
+    let name = "phone";
+    for (let number = 2; taken.has(name); number += 1) name = `phone ${number}`;
+    await makeToken(name, role, true);
+  }
+
+  /** The token for a phone that is being made. @type {Promise<void> | null} */
+  let phone = null;
+
   return {
     change,
     editKeepOut,
@@ -86,23 +109,12 @@ export function createSetUp(store, http, socket) {
       send({ type: "policy_kept", text });
       await read();
     },
-    /** @param {string} name @param {Schemas["Role"]} role @param {boolean} shared Whether several people have it. */
-    async makeToken(name, role, shared) {
-      /** @type {Schemas["NewToken"] | undefined} */
-      const token = await change("tokens", "POST", "api/v1/tokens", { name, role, shared });
-      if (token) send({ type: "token_made", token });
-      await read();
-    },
+    makeToken,
     /** Makes a token for a phone, whose user gives a name there, if a phone can reach the station. @param {Schemas["Role"]} role */
     async usePhone(role) {
-      // Those of the page may not have been read yet, or may have changed.
-      await readAddresses();
-      const { tokens, addresses } = store.page.set_up;
-      if (!addresses.length) return send({ type: "phone_wanted" });
-      const taken = new Set(tokens?.map(({ name }) => name));
-      let name = "phone";
-      for (let number = 2; taken.has(name); number += 1) name = `phone ${number}`;
-      await this.makeToken(name, role, true);
+      // A double press makes one token.
+      phone ??= makePhoneToken(role).finally(() => (phone = null));
+      await phone;
     },
     /** @param {string} name */
     async removeToken(name) {

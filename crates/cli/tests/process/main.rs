@@ -1,5 +1,7 @@
 //! The program as a process: exit codes, standard output and errors.
 
+#[cfg(target_os = "linux")]
+mod accuracy;
 #[cfg(all(unix, feature = "full"))]
 mod agents;
 mod arguments;
@@ -41,8 +43,6 @@ mod stations;
 mod support;
 #[cfg(feature = "fleet")]
 mod together;
-#[cfg(target_os = "linux")]
-mod touching;
 #[cfg(unix)]
 mod upgrades;
 mod worlds;
