@@ -295,7 +295,9 @@ fn a_peer_that_closes_during_a_drawing_is_reported_with_the_progress() {
 
 #[test]
 fn an_arm_that_goes_silent_during_a_drawing_gets_laser_off_and_no_motion() {
-    let (outcome, _, after) = troubled(6, Trouble::Silence);
+    // In the middle of the first line: an arm may be silent for twenty times as long as its motions take, and the way to the line
+    // takes seconds.
+    let (outcome, _, after) = troubled(50, Trouble::Silence);
     outcome.fails(1, &["no valid status for", "dobot jobs start 1 --to tcp:"]);
     // What was permitted already may still have been on its way.
     let parting: Vec<_> = after

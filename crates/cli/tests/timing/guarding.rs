@@ -3,13 +3,12 @@
 use std::io::BufRead;
 use std::net::TcpListener;
 use std::ops::Deref;
-use std::sync::MutexGuard;
 use std::time::{Duration, Instant};
 
 use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis};
 use serde_json::Value;
 
-use crate::alone;
+use crate::Turn;
 use crate::support::arm::real_time_arm;
 use crate::support::bench;
 use crate::support::running_process::{RunningProcess, line_with};
@@ -20,10 +19,10 @@ pub(crate) const JOINT_RELEASE: Command =
     Command::JointJog(JointJog::new(JointJogAxis::Released, 0.0));
 const LINEAR_RELEASE: Command = Command::LinearJog(LinearJog::new(LinearJogAxis::Released, 0.0));
 
-/// An arm at the end of a wire and a place for its station, while nothing else runs.
+/// An arm at the end of a wire and a place for its station, while few other tests run.
 pub(crate) struct Bench {
     bench: bench::Bench,
-    _alone: MutexGuard<'static, ()>,
+    _turn: Turn,
 }
 
 impl Deref for Bench {
@@ -36,10 +35,10 @@ impl Deref for Bench {
 
 impl Bench {
     pub(crate) fn new() -> Self {
-        let alone = alone();
+        let turn = Turn::wait();
         Self {
             bench: bench::Bench::new(real_time_arm(&["--tcp", "127.0.0.1:0"])),
-            _alone: alone,
+            _turn: turn,
         }
     }
 

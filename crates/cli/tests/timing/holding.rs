@@ -8,7 +8,7 @@ use dobot_wire::LinearJogAxis;
 use rustix::fs::{CWD, FileType, Mode, mknodat};
 use tempfile::TempDir;
 
-use crate::alone;
+use crate::Turn;
 use crate::support::keys::Bench;
 use crate::support::terminal::Keyboard;
 
@@ -24,7 +24,7 @@ const LONG: usize = 8;
 
 #[test]
 fn if_a_terminal_reports_releases_the_arm_moves_until_the_key_is_released() {
-    let _alone = alone();
+    let _turn = Turn::wait();
     let folder = tempfile::tempdir().expect("there is room");
     let mut bench = Bench::new(&["jog", "--policy", &policy(&folder)], Keyboard::Kitty);
     // Slowly: it stays within reach.
@@ -46,7 +46,7 @@ fn stick(value: i16) -> [u8; 8] {
 
 #[test]
 fn a_gamepad_moves_the_arm_until_its_stick_is_centred_or_it_is_unplugged() {
-    let _alone = alone();
+    let _turn = Turn::wait();
     let folder = tempfile::tempdir().expect("there is room");
     let device = folder.path().join("js0");
     let mode = Mode::RUSR | Mode::WUSR;

@@ -3,12 +3,12 @@
 use dobot_wire::WriteVector;
 use rustix::process::Signal;
 
-use crate::alone;
+use crate::Turn;
 use crate::support::trouble::{Trouble, is_laser_off, troubled, vector};
 
 #[test]
 fn ctrl_c_in_a_drawing_lifts_the_pen_switches_the_laser_off_and_reports_the_progress() {
-    let _alone = alone();
+    let _turn = Turn::wait();
     parts(
         Trouble::Signal(Signal::INT),
         &[
@@ -20,7 +20,7 @@ fn ctrl_c_in_a_drawing_lifts_the_pen_switches_the_laser_off_and_reports_the_prog
 
 #[test]
 fn a_system_that_shuts_down_in_a_drawing_leaves_the_pen_up_and_the_laser_off() {
-    let _alone = alone();
+    let _turn = Turn::wait();
     parts(
         Trouble::Signal(Signal::TERM),
         &["job 1 is paused: interrupted; the tool is up"],
