@@ -203,7 +203,7 @@ const TRIES: u32 = 20;
 /// The screen shows within this time what a status says.
 const SCREEN: Duration = Duration::from_secs(10);
 /// The tip is at rest if it stays for this many statuses.
-const AT_REST: u32 = 5;
+const AT_REST: u32 = 3;
 /// A press came too early if it sends the arm nothing within this many statuses.
 const TOO_EARLY: u32 = 50;
 
