@@ -40,13 +40,13 @@ readonly CODE_STEPS=(
   "no-std       Link wire, arm, motion and controller without the standard library"
   "examples     Run every example; none needs an arm"
   "api          Send a station requests that schemathesis makes from its OpenAPI document"
-  "python       Run the Python package's tests and notebooks; check its types with mypy and pyright"
 )
-readonly PAGE_STEPS=(
+readonly CLIENT_STEPS=(
+  "python       Run the Python package's tests and notebooks; check its types with mypy and pyright"
   "page         Check the page's types and packages, and run its unit tests"
   "browser      Test the page with a real pointer in a browser"
 )
-readonly PUSH_STEPS=("${CHEAP_STEPS[@]}" "${CODE_STEPS[@]}" "${PAGE_STEPS[@]}")
+readonly PUSH_STEPS=("${CHEAP_STEPS[@]}" "${CODE_STEPS[@]}" "${CLIENT_STEPS[@]}")
 readonly WIDE_STEPS=(
   "lint-all     Run clippy with all features"
   "test-all     Run the tests of the crates that have more features, with all of them"
@@ -808,15 +808,18 @@ main() {
   echo "ci.sh: all passed (${names[*]}) in $SECONDS s"
 }
 
-# Tests of processes and of the page wait more than they compute: two lanes share the cores. The page's lane prints when it is done.
+# The tests of processes, of the page and of the Python package wait more than they compute: two lanes share the cores. The clients'
+# lane prints when it is done.
 run_push_steps() {
-  local failed=0 output=target/ci-page.txt
+  local failed=0 output=target/ci-clients.txt
   run_in_turn "${CHEAP_STEPS[@]%% *}"
+  # Both lanes use them.
+  needs_packages ci
   # Each lane gets a process group: an interrupted run ends what it has started.
   set -m
   lane "${CODE_STEPS[@]%% *}" </dev/null &
   LANES+=("$!")
-  lane "${PAGE_STEPS[@]%% *}" </dev/null >"$output" 2>&1 &
+  lane "${CLIENT_STEPS[@]%% *}" </dev/null >"$output" 2>&1 &
   LANES+=("$!")
   set +m
   wait "${LANES[0]}" || failed=1
