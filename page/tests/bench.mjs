@@ -228,6 +228,14 @@ export async function waitForAnswer(page, path, isSo) {
   throw new Error(`${path} never answers what was waited for: ${isSo}`);
 }
 
+/** Waits for the content of a tab's panel: some panels are loaded when they are first shown. */
+export async function panelIsShown(page, tab) {
+  await page.waitForFunction((label) => {
+    const panel = document.getElementById("panel");
+    return panel.getAttribute("aria-labelledby") === label && panel.childElementCount > 0;
+  }, `tab-${tab}`);
+}
+
 /** Opens the view Draw at a virtual arm with a pen. */
 export async function openDraw() {
   const bench = await open({ virtual: true, speed: 8 });

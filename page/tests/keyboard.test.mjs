@@ -1,7 +1,7 @@
 // The main tasks with the keyboard alone: Tab, arrows, Enter and Space, with no pointer at all.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
-import { open, passed, pose, rest, waitForAnswer } from "./bench.mjs";
+import { open, panelIsShown, passed, pose, rest, waitForAnswer } from "./bench.mjs";
 
 /** More Tab stops than any panel has. */
 const MOST_TABS = 80;
@@ -34,6 +34,7 @@ async function tabTo(selector) {
 async function openTab(name) {
   await tabTo("[role=tab]");
   for (let n = 0; n < 6 && (await page.evaluate(() => document.activeElement.id)) !== `tab-${name}`; n += 1) await page.keyboard.press("ArrowRight");
+  await panelIsShown(page, name);
 }
 
 const phase = (name) => waitForAnswer(page, "api/v1/state", ({ job }) => job?.phase === name);
@@ -85,7 +86,7 @@ test("two positions are taught, looped, paused, resumed and ended", async () => 
   assert.equal(await page.isVisible("#stopped"), false);
 });
 
-test("a text is drawn, and Space stops the arm", async () => {
+test("a text is drawn, and Escape stops the arm", async () => {
   await openTab("draw");
   await tabTo("[name=draw-what]");
   await page.keyboard.press("ArrowRight");

@@ -1,7 +1,7 @@
 // Small and enlarged windows: every panel is usable, STOP is never covered, and what is pressed is large enough.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
-import { open } from "./bench.mjs";
+import { open, panelIsShown } from "./bench.mjs";
 
 /** 1440 x 900 at 200 and 300 %, the size of WCAG 1.4.10, and phones. */
 const SIZES = { "200 %": [720, 450], "300 %": [480, 300], "320 x 256": [320, 256], "a phone in landscape": [844, 390], "a phone": [390, 844], "1280 x 720": [1280, 720] };
@@ -51,11 +51,7 @@ for (const [name, [width, height]] of Object.entries(SIZES)) {
       await canPress(page, `#tab-${tab}`);
       await page.click(`#tab-${tab}`);
       assert.ok(await isStopFree(page), tab);
-      // Some panels are loaded when they are first shown.
-      await page.waitForFunction((label) => {
-        const panel = document.getElementById("panel");
-        return panel.getAttribute("aria-labelledby") === label && panel.childElementCount > 0;
-      }, `tab-${tab}`);
+      await panelIsShown(page, tab);
       const room = await page.evaluate(() => document.getElementById("panel").clientHeight);
       assert.ok(room >= 120, `${tab}: ${room} px for the panel`);
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true, `${tab} is wider than the window`);
