@@ -111,7 +111,7 @@ impl Person {
             // Held: it repeats.
             self.terminal.types(key);
             let left_mm = wanted_mm - tip(&self.next())[axis];
-            if left_mm.abs() < 14.0 || left_mm.signum() != far_mm.signum() {
+            if left_mm.abs() < RUN_ON_MM || left_mm.signum() != far_mm.signum() {
                 return;
             }
         }
@@ -418,6 +418,8 @@ fn strokes(all: &Value, points: &str) -> Vec<Stroke> {
     .collect()
 }
 
+/// The tip moves on by about this much after the last repeat of a key.
+const RUN_ON_MM: f64 = 14.0;
 /// A key is held for this many statuses: enough to cross the sheet.
 const PATIENCE: usize = 400;
 
