@@ -180,9 +180,7 @@ impl Person {
         }
         // From the right and from above, so that the backlash of each joint is on the same side.
         self.presses([x, y - 4.0, PAPER_MM + 4.0], 1.0);
-        for step_mm in [1.0, 0.1] {
-            self.presses([x, y - 1.0, PAPER_MM + 2.0], step_mm);
-        }
+        self.presses([x, y - 1.0, PAPER_MM + 1.0], 1.0);
         self.presses([x, y, PAPER_MM], 0.1);
     }
 

@@ -274,7 +274,8 @@ fn wrapped_lines_keep_their_height_within_the_width_and_justified_ones_fill_it()
             assert!((56.0..60.01).contains(&line.width()), "{font}: {line:?}");
         }
         let widest = ragged.last().unwrap().width();
-        assert!((last.width() - widest).abs() < 1e-6, "{font}");
+        // Outlines of fonts are `f32`.
+        assert!((last.width() - widest).abs() < 1e-3, "{font}");
         // Line breaks are kept, and so are blank lines.
         let spaced = written(false, "H\n\nH");
         let apart_mm = spaced[1].y0 - spaced[0].y0;
