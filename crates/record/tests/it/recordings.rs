@@ -173,8 +173,9 @@ fn a_truncated_file_loses_no_chunk_that_was_written() {
         })
         .collect();
     let (all, _) = read(WHOLE.clone());
-    let ends = chunks.iter().map(|(end, _)| *end as usize);
+    let ends = chunks.iter().map(|(end, _)| usize::try_from(*end).unwrap());
     let cuts = ends.flat_map(|end| end - 1..=end + 1);
+    // At each end of a chunk, and at others.
     for cut in cuts.chain((0..WHOLE.len()).step_by(7)) {
         let whole_chunks = chunks.iter().filter(|(end, _)| *end <= cut as u64);
         let expected: usize = whole_chunks.map(|(_, messages)| messages).sum();
