@@ -1,7 +1,7 @@
 // Stored files: kept when they are opened, where they were placed after a reload and on another computer, undone, deleted.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
-import { contents, openDraw } from "./bench.mjs";
+import { contents, openDraw, waitForAnswer } from "./bench.mjs";
 
 let bench, page;
 
@@ -130,8 +130,7 @@ test("a drawn job has picture, ink and time, its file the result, and it runs ag
   const [file] = await until(([file]) => file.last_job?.phase === "done");
   assert.ok(file.last_job.took_s > 0);
   await page.click(".entry[data-job] [data-act=again]");
-  await page.waitForSelector("#job-name:text('square.svg')");
-  await page.click("#job-end");
+  await waitForAnswer(page, "api/v1/jobs", (jobs) => jobs.length === 2 && jobs.every(({ phase }) => phase === "done"));
   await page.waitForSelector("#job", { state: "detached" });
 });
 
