@@ -61,15 +61,13 @@ fn a_program_is_taught_run_and_saved_with_keys() {
     bench.jogs_by(UP, 0, 1.0);
     // The arm is seen at rest here before it is seen so there; Enter teaches a place once.
     bench.presses_until("\r", "▶   2");
-    bench.terminal.types("u");
     let pump = |it: &Command| matches!(it, Command::JointJog(jog) if jog.axis == SuctionOn);
-    bench.gets(pump);
-    bench.terminal.types("g");
+    bench.presses_until_sent("u", pump);
     let x_mm = |it: &Command| match it {
         Command::MoveTo(it) => Some(it.x_mm),
         _ => None,
     };
-    let first = x_mm(&bench.gets(|it| x_mm(it).is_some()));
+    let first = x_mm(&bench.presses_until_sent("g", |it| x_mm(it).is_some()));
     // It stood with both arms at 45 degrees: 135 sin 45 + 160 cos 45 + 55.07.
     assert!(
         (first.expect("a target") - 263.67).abs() < 0.01,

@@ -41,6 +41,28 @@ impl Bench {
         }
     }
 
+    /// Presses a key until the arm gets a command. Keys that a busy program reads together are a paste, which is ignored; a person
+    /// notices this, and presses again.
+    pub(crate) fn presses_until_sent(
+        &mut self,
+        key: &str,
+        is_match: impl Fn(&Command) -> bool,
+    ) -> Command {
+        const NOTICED_AFTER: usize = 200;
+        for _ in 0..10 {
+            self.terminal.types(key);
+            let mut statuses = 0;
+            while statuses < NOTICED_AFTER {
+                match self.arm.next() {
+                    Passed::FromArm(..) => statuses += 1,
+                    Passed::ToArm(_, command) if is_match(&command) => return command,
+                    _ => {}
+                }
+            }
+        }
+        panic!("the arm does not get the command after {key:?}");
+    }
+
     pub(crate) fn gets_jog(&self, axis: LinearJogAxis) {
         self.gets(|command| is_jog(command, axis));
     }
