@@ -41,18 +41,27 @@ impl Bench {
         }
     }
 
-    /// Presses a key until the arm gets a command. Keys that a busy program reads together are a paste, which is ignored; a person
-    /// notices this, and presses again.
+    /// Presses a key until the arm gets a command, and waits for it ten seconds each time. Keys that a busy program reads together are
+    /// a paste, which is ignored.
     pub(crate) fn presses_until_sent(
         &mut self,
         key: &str,
         is_match: impl Fn(&Command) -> bool,
     ) -> Command {
-        const NOTICED_AFTER: usize = 200;
-        for _ in 0..10 {
+        self.presses_each(200, key, is_match)
+    }
+
+    /// Presses a key each time that the arm has sent this many statuses, until it gets a command.
+    fn presses_each(
+        &mut self,
+        interval: usize,
+        key: &str,
+        is_match: impl Fn(&Command) -> bool,
+    ) -> Command {
+        for _ in 0..50 {
             self.terminal.types(key);
             let mut statuses = 0;
-            while statuses < NOTICED_AFTER {
+            while statuses < interval {
                 match self.arm.next() {
                     Passed::FromArm(..) => statuses += 1,
                     Passed::ToArm(_, command) if is_match(&command) => return command,
@@ -73,18 +82,7 @@ impl Bench {
     }
 
     fn jogs(&mut self, arrow: &str, axis: LinearJogAxis) {
-        for _ in 0..50 {
-            self.terminal.types(arrow);
-            let mut statuses = 0;
-            while statuses < 4 {
-                match self.arm.next() {
-                    Passed::FromArm(..) => statuses += 1,
-                    Passed::ToArm(_, command) if is_jog(&command, axis) => return,
-                    _ => {}
-                }
-            }
-        }
-        panic!("the arm does not jog");
+        self.presses_each(4, arrow, |command| is_jog(command, axis));
     }
 
     /// Presses an arrow until the arm rests at least this many mm farther along an axis: 0 for x, 1 for y.
