@@ -55,6 +55,12 @@ test("the pose is confirmed, and the arm jogs while Enter is held", async () => 
   await passed(page, 0.4);
 });
 
+test("arrow keys pressed faster than the page draws move one tab each", async () => {
+  await openTab("move");
+  await Promise.all(["ArrowRight", "ArrowRight", "ArrowRight", "ArrowLeft"].map((key) => page.keyboard.press(key)));
+  await panelIsShown(page, "teach");
+});
+
 test("two positions are taught, looped, paused, resumed and ended", async () => {
   await openTab("teach");
   await tabTo("#capture");

@@ -10,15 +10,16 @@ const WAYS = /** @type {Record<string, number>} */ ({ ArrowRight: 1, ArrowLeft: 
 
 /** @param {Context} context */
 export function tabs({ page, t, act }) {
-  const step = (/** @type {KeyboardEvent} */ event) => {
+  // From the tab that has the focus: the page may not have drawn the one before yet.
+  const step = (/** @type {KeyboardEvent} */ event, /** @type {number} */ from) => {
     const way = WAYS[event.key];
     if (!way) return;
     event.preventDefault();
-    const next = /** @type {import("../state/state.js").Tab} */ (TABS[(TABS.indexOf(page.tab) + way + TABS.length) % TABS.length]);
+    const next = /** @type {import("../state/state.js").Tab} */ (TABS[(from + way + TABS.length) % TABS.length]);
     act.send({ type: "tab", tab: next });
     document.getElementById(`tab-${next}`)?.focus();
   };
-  return html`${TABS.map((tab) => html`
+  return html`${TABS.map((tab, at) => html`
     <button type="button" role="tab" id="tab-${tab}" aria-selected=${tab === page.tab ? "true" : "false"} aria-controls="panel" tabindex=${tab === page.tab ? 0 : -1}
-      @click=${() => act.send({ type: "tab", tab })} @keydown=${step}>${t(`tab.${tab}`)}</button>`)}`;
+      @click=${() => act.send({ type: "tab", tab })} @keydown=${(/** @type {KeyboardEvent} */ event) => step(event, at)}>${t(`tab.${tab}`)}</button>`)}`;
 }
