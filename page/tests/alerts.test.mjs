@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
 import { open, rest, takeControl, waitForAnswer } from "./bench.mjs";
+import { CHROMIUM } from "./browser.mjs";
 
 let bench, page;
 
@@ -19,7 +20,7 @@ function record() {
 }
 
 before(async () => {
-  bench = await open({ speed: 4, scripts: record });
+  bench = await open({ speed: 4, scripts: record, executablePath: CHROMIUM });
   ({ page } = bench);
   await takeControl(page);
   await rest(page);

@@ -107,9 +107,9 @@ async function createFront() {
  * Everything that a test needs; `end` ends it. With `virtual` the arm is the station's own, whose world it tells; nothing taps it.
  * `speed` is for what only has to come about: the arm's time passes so many times as fast as a clock. A page that is late to say
  * that a button is still held, as on a busy machine, lets go of it; with `patient` it has a second, which is longer than it has.
- * `personality` is the arm's personality and the station's dialect.
+ * `personality` is the arm's personality and the station's dialect, `executablePath` the browser.
  */
-export async function open({ viewport = { width: 1130, height: 640 }, webgl = false, virtual = false, personality = "firmware-1.1", speed = 1, patient = true, options = {}, scripts = [], browserArgs = [] } = {}) {
+export async function open({ viewport = { width: 1130, height: 640 }, webgl = false, virtual = false, personality = "firmware-1.1", speed = 1, patient = true, options = {}, scripts = [], browserArgs = [], executablePath } = {}) {
   const folder = await mkdtemp(join(tmpdir(), "dobot-page-"));
   const arm = virtual ? null : await start(["arm", "--tcp", "127.0.0.1:0", "--personality", personality, "--time-factor", String(speed)], /^tcp:127\.0\.0\.1:(\d+)/);
   const traffic = new Traffic();
@@ -140,7 +140,7 @@ export async function open({ viewport = { width: 1130, height: 640 }, webgl = fa
     if (!answer.ok) throw new Error(await answer.text());
   }
   if (patient) await setDeadMan(1);
-  const browser = await launch(undefined, browserArgs);
+  const browser = await launch(executablePath, browserArgs);
   const errors = [];
   /** One more visitor, whose page runs scripts of the test before its own. */
   async function visit(options, scripts = []) {

@@ -1,11 +1,12 @@
-// Runs the browser tests in one browser, several files in parallel: `npm run browser --prefix page`, followed by names to run only
-// some files, as in `-- stage watch`. `npm run browser:fleet` runs the tests that need a `dobot` with the feature `fleet`.
+// Runs the browser tests, several files in parallel: `npm run browser --prefix page`, followed by names to run only some files, as in
+// `-- stage watch`. `npm run browser:fleet` runs the tests that need a `dobot` with the feature `fleet`. Each file has its own
+// browser: one for all would pass every message through a server, which takes more than a browser to start.
 import { spawnSync } from "node:child_process";
 import { readdir } from "node:fs/promises";
 import { basename } from "node:path";
 import { run } from "node:test";
 import { spec } from "node:test/reporters";
-import { serve } from "./browser.mjs";
+import { launch, leave } from "./browser.mjs";
 
 /** Files in parallel: most of the time each waits for its arm. */
 const CONCURRENCY = 3;
@@ -27,8 +28,7 @@ if (unknown) fail(`no tests named ${unknown}; available: ${all.join(", ")}`);
 const names = wanted.length ? wanted : [...FIRST, ...all.filter((name) => !FIRST.includes(name) && !NAMED.includes(name))];
 const dobot = process.env.DOBOT ?? "dobot";
 if (spawnSync(dobot, ["--version"]).error) fail(`cannot run ${dobot}; build it with cargo build, and set DOBOT to its path`);
-const browser = await serve().catch((error) => fail(error.message));
-process.env.BROWSER_ENDPOINT = browser.wsEndpoint();
+await launch().then(leave, (error) => fail(error.message));
 
 /** How long each file took, in ms. */
 const took = new Map();
@@ -36,7 +36,6 @@ const tests = run({ files: names.map((name) => new URL(`${name}.test.mjs`, folde
 tests.on("test:fail", () => (process.exitCode = 1));
 for (const event of ["test:pass", "test:fail"]) tests.on(event, ({ file, details }) => took.set(file, (took.get(file) ?? 0) + details.duration_ms));
 tests.compose(new spec()).pipe(process.stdout);
-tests.once("end", () => void browser.close());
 process.once("exit", () => {
   const slowest = [...took].sort(([, one], [, other]) => other - one).slice(0, 5);
   for (const [file, ms] of slowest) console.log(`${basename(file ?? "")}: ${(ms / 1000).toFixed(0)} s`);
