@@ -774,6 +774,22 @@ fn each_bad_drawing_is_one_clear_error() {
     dobot_reading(&["draw", "-"], &[0xFF, 0xFE, 0x00]).fails(1, &["is not a supported file"]);
 }
 
+/// Unit tests reach lower limits.
+#[test]
+fn a_drawing_above_a_limit_is_refused_with_the_limit() {
+    let path = "l1 1".repeat(2_000_001);
+    let faint = r#"<path opacity="0.5" d="M0 0H1"/>"#.repeat(96_000);
+    for (svg, part) in [
+        (
+            page(&format!(r#"<path d="M0 0{path}" stroke="red"/>"#)),
+            "the drawing has more than 2000000 line segments",
+        ),
+        (page(&faint), "more than 190000 elements"),
+    ] {
+        dobot_reading(&["draw", "-"], svg.as_bytes()).fails(1, &[part]);
+    }
+}
+
 #[test]
 fn invalid_settings_are_reported_before_anything_moves() {
     let square = example("square.svg");

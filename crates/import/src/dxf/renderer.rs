@@ -468,7 +468,7 @@ const LINES: [&[u8]; 7] = [
     b"POLYLINE",
     b"SPLINE",
 ];
-const MAX_COPIED: usize = 200_000_000;
+const MAX_COPIED: usize = if cfg!(test) { 10_000_000 } else { 200_000_000 };
 /// The cost of a copy of an empty block, in bytes.
 const MIN_COPY: usize = 100;
 const MAX_DEPTH: u32 = 32;

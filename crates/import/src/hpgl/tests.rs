@@ -760,7 +760,7 @@ fn an_undrawable_command_is_refused_with_its_place() {
     for text in [circles, polygon] {
         assert_eq!(
             error(text.as_bytes()),
-            "the drawing has more than 2000000 line segments; simplify it or allow a larger tolerance"
+            "the drawing has more than 100000 line segments; simplify it or allow a larger tolerance"
         );
     }
 }

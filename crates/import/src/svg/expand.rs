@@ -216,7 +216,7 @@ fn references<'a>(node: Node<'a, 'a>) -> impl Iterator<Item = (Attribute<'a, 'a>
 
 /// Far above any drawing, far below the limit of the stack.
 const MAX_DEPTH: u32 = 100;
-pub(super) const MAX_ELEMENTS: u64 = 150_000;
+pub(super) const MAX_ELEMENTS: u64 = if cfg!(test) { 20_000 } else { 150_000 };
 /// A group takes nearly as much memory as a shape.
-const MAX_WITH_GROUPS: u64 = 190_000;
+const MAX_WITH_GROUPS: u64 = if cfg!(test) { 25_000 } else { 190_000 };
 const MAX_COPIED_SEGMENTS: u64 = 4_000_000;

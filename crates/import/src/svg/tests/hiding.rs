@@ -106,7 +106,7 @@ fn the_hidden_part_of_an_area_is_not_hatched() {
 
 #[test]
 fn if_too_many_shapes_overlap_all_are_drawn_and_this_is_reported() {
-    let shapes = 3000_u32;
+    let shapes = 600_u32;
     let mut svg = String::new();
     for i in 0..shapes {
         let at = 10.0 + f64::from(i) * 1e-4;
@@ -115,7 +115,7 @@ fn if_too_many_shapes_overlap_all_are_drawn_and_this_is_reported() {
     let (strokes, warnings) = hidden(&svg);
     // The lowest ones are looked at first, and hardly any of their lines shows.
     let whole = strokes.iter().filter(|stroke| stroke.closed).count();
-    assert!(whole > 2000, "{whole}");
+    assert!(whole > 300, "{whole}");
     assert!(
         warnings[0]
             .to_string()
