@@ -796,6 +796,7 @@ main() {
     fail "cargo is missing; install Rust from https://rustup.rs"
   fi
   mkdir -p target
+  : >"$FAILURES"
   printf '%-12s %8s %8s\n' step 'build s' 'test s' >"$TIMES"
   install_packages_early "${names[@]}"
   if [[ ${1:-push} == push ]]; then
@@ -827,7 +828,10 @@ run_push_steps() {
   wait "${LANES[1]}" || failed=1
   LANES=()
   cat "$output"
-  ((failed == 0)) || exit 1
+  ((failed == 0)) || {
+    cat "$FAILURES"
+    exit 1
+  }
 }
 
 lane() {
@@ -849,7 +853,7 @@ on_exit() {
     kill -- "-$lane" || true
   done
   [[ -z $STATION ]] || kill "$STATION"
-  [[ -z $CURRENT ]] || echo "ci.sh: $CURRENT failed" >&2
+  [[ -z $CURRENT ]] || echo "ci.sh: $CURRENT failed" | tee -a "$FAILURES" >&2
 }
 
 run() {
@@ -889,6 +893,7 @@ DOBOT=$(built)/dobot
 [[ $DOBOT == /* ]] || DOBOT=$PWD/$DOBOT
 export DOBOT
 readonly TIMES=target/ci-times.txt
+readonly FAILURES=target/ci-failures.txt
 readonly VENV=$PWD/target/venv
 CURRENT=
 STATION=
