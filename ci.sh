@@ -539,11 +539,15 @@ needs_page() {
   npm ci --prefix page --no-audit --no-fund
 }
 
-# Debian's Chromium, driven by playwright-core; with its shell most tests take half as long.
+# Debian's Chromium, driven by playwright-core. Its shell halves the CPU time of most tests.
 needs_browser() {
   needs_page
-  needs_command chromium chromium
+  needs_chromium
   needs_command chromium-headless-shell chromium-headless-shell
+}
+
+needs_chromium() {
+  needs_command chromium chromium
   CHROMIUM=$(command -v chromium)
   export CHROMIUM
 }
@@ -551,9 +555,7 @@ needs_browser() {
 step_icons() {
   needs_command node nodejs
   needs_command npm npm
-  needs_command chromium chromium
-  CHROMIUM=$(command -v chromium)
-  export CHROMIUM
+  needs_chromium
   npm ci --prefix tests/icons --no-audit --no-fund
   cargo build --locked -p dobot-import --example strokes
   node tests/icons/compare.mjs "$(built)/examples/strokes"

@@ -1,9 +1,9 @@
-// The browser of a file of tests.
+// Starts a browser for the tests.
 import { existsSync } from "node:fs";
 import { chromium } from "playwright-core";
 
 export const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
-/** Chromium without its own windows, a Debian package of its own: tests take half as much time of the processor. It shows no notifications. */
+/** Chromium without windows, a separate package in Debian: tests take half the CPU time. It does not show notifications. */
 const SHELL = `${CHROMIUM}-headless-shell`;
 // WebGL is drawn by the processor, so that it runs everywhere, or with CARD=1 by a graphics card. All else is drawn without WebGL:
 // a page that the processor draws by way of it takes ten times as long.

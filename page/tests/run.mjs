@@ -1,6 +1,6 @@
 // Runs the browser tests, several files in parallel: `npm run browser --prefix page`, followed by names to run only some files, as in
-// `-- stage watch`. `npm run browser:fleet` runs the tests that need a `dobot` with the feature `fleet`. Each file has its own
-// browser: one for all would pass every message through a server, which takes more than a browser to start.
+// `-- stage watch`. `npm run browser:fleet` runs the tests that need a `dobot` with the feature `fleet`. Each file starts its
+// own browser: that takes less CPU time than to pass every message through the server of a shared one.
 import { spawnSync } from "node:child_process";
 import { readdir } from "node:fs/promises";
 import { basename } from "node:path";

@@ -340,7 +340,7 @@ def test_the_laser_goes_off_when_the_interpreter_that_burns_is_killed(station: s
         statuses = watcher.statuses()
         with interpreter(BURNS, station, "burns") as burner:
             burner.kill()
-        # The recording is written with a delay, and the light went off before it was on, too.
+        # The recording is written with a delay, and begins with the laser switched off.
         seen = (lights_sent(tmp_path) for _ in islice(statuses, 200))
         assert any("laser_on" in lights and lights[-1] == "laser_off" for lights in seen)
 

@@ -147,7 +147,8 @@ pub(crate) fn checked_tolerance_mm(found_mm: f64) -> Result<f64, SvgError> {
 pub(crate) const MAX_BYTES: u64 = 64_000_000;
 /// The largest picture: an unpacked scan of a sheet at a high resolution.
 pub(crate) const MAX_PICTURE_BYTES: u64 = 256_000_000;
-/// The largest number of line segments: the arm takes two days for it. Unit tests reach this and the other limits sooner.
+/// The largest number of line segments: the arm takes two days for it. In unit tests this limit and others are lower, to be
+/// reached quickly.
 pub(crate) const MAX_SEGMENTS: usize = if cfg!(test) { 100_000 } else { 2_000_000 };
 /// If fewer than one in this many segments are from curves, a larger tolerance hardly helps.
 const MIN_CURVED: usize = 10;
