@@ -23,7 +23,8 @@ afterEach(async () => {
   assert.deepEqual(bench.errors, []);
 });
 
-const PROGRAM = `title = "sides"\n${[40, -40].map((y) => `[[steps]]\ngo = { x = 200, y = ${y}, z = 50 }\n`).join("")}`;
+// Long enough that no test on a busy machine comes too late to end it.
+const PROGRAM = `title = "sides"\n${Array(20).fill([40, -40]).flat().map((y) => `[[steps]]\ngo = { x = 200, y = ${y}, z = 50 }\n`).join("")}`;
 const phase = (name) => waitForAnswer(page, "api/v1/state", ({ job }) => job?.phase === name);
 const free = async () => {
   if (await page.isVisible("#release")) await page.click("#release");
